@@ -1,0 +1,27 @@
+# How every target of texbake is compiled, so that the same input gives the same bytes with g++ and clang++.
+
+add_library(texbake_flags INTERFACE)
+target_compile_options(texbake_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # A fused multiply-add rounds once where two operations round twice: results would depend on the processor.
+  -ffp-contract=off)
+if(TEXBAKE_SANITIZE)
+  target_compile_options(texbake_flags INTERFACE -fsanitize=${TEXBAKE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(texbake_flags INTERFACE -fsanitize=${TEXBAKE_SANITIZE})
+endif()
+install(TARGETS texbake_flags EXPORT texbake-targets)
+
+# texbake_library(NAME [public dependencies...]): a static library of every .cpp beside the caller's CMakeLists.txt.
+function(texbake_library name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  add_library(texbake_${name} STATIC ${sources})
+  add_library(texbake::${name} ALIAS texbake_${name})
+  set_target_properties(texbake_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(texbake_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/texbake>)
+  target_link_libraries(texbake_${name} PUBLIC ${ARGN} PRIVATE $<BUILD_INTERFACE:texbake_flags>)
+  install(TARGETS texbake_${name} EXPORT texbake-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/texbake/${folder}
+    FILES_MATCHING PATTERN "*.h")
+endfunction()

@@ -1,0 +1,76 @@
+// The bundle in memory: everything that `NAME.texbundle/` holds. The format is specified in formats/README.md.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libbake/base/image.h"
+#include "libbake/color/palette.h"
+#include "libbake/content/content.h"
+#include "libbake/segment/fragment.h"
+#include "libbake/segment/patch.h"
+
+namespace texbake {
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr int kSemantics = 1;  ///< what shaders/README.md specifies
+inline constexpr const char* kBundleVersion = "1.0";
+
+/// Another picture of the same surface, travelling with the colour.
+struct Map {
+  std::string name;           ///< "normal", "roughness", ...: the NAME of --map NAME=FILE
+  int channels = 1;           ///< 1 or 3
+  int source_bits = 8;        ///< 8: stored HALF; above: stored FLOAT
+  bool is_float = false;      ///< the source held floating point
+  std::string convention;     ///< "opengl" (+Y up) or "directx" (+Y down) for normals, else ""
+  Image<float> planes[3];     ///< `channels` of them. Normals are stored decoded, in −1 … 1
+};
+
+/// One tile with all that was found in it.
+struct Scale {
+  std::string name = "fine";              ///< stem of its EXR file
+  Image<V3f> exemplar;                    ///< linear Rec.709, half-exact, ≥ 0
+  bool stores_exemplar = true;            ///< false for --colour palette: base = decode(index, variation)
+  std::optional<Image<V3f>> structure;    ///< the base where present
+  std::optional<PrincipalVariation> colors;
+  std::optional<FragmentMap> fragments;
+  std::optional<PatchMap> patches;
+  std::optional<ContentTable> contents;
+  std::optional<Image<float>> height;     ///< 0 … 1
+  std::vector<Map> maps;
+  std::optional<V2i> tile_from_source;    ///< offset of the tile in the source picture, when it is a crop
+
+  int width() const { return exemplar.width(); }
+  int height_px() const { return exemplar.height(); }
+  const Image<V3f>& base() const { return structure ? *structure : exemplar; }
+};
+
+/// A file that went into the bundle.
+struct Source {
+  std::string role;  ///< "color" or the name of a map
+  std::string name;  ///< base name, no folder
+  std::string sha256;
+  uint64_t size_bytes = 0;
+};
+
+/// What one verb did.
+struct Stage {
+  std::string verb;
+  int version = 1;
+  Json parameters;  ///< every effective parameter, automatic values resolved
+  Json figures;     ///< what was measured; never times
+};
+
+struct Bundle {
+  std::vector<Scale> scales;  ///< coarse to fine
+  std::vector<Source> sources;
+  std::vector<Stage> stages;
+  Json extensions = Json::object();
+  Json extras = Json::object();
+};
+
+}  // namespace texbake

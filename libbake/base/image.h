@@ -1,0 +1,102 @@
+// The image types of texbake. Row 0 is the top, x runs right, y runs down; the centre of texel (x, y) is
+// (x + 0.5, y + 0.5). An exemplar is a torus: texel (width, y) is texel (0, y).
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace texbake {
+
+/// Borrows the pixels of an image; passed by value. `ImageView<const T>` reads, `ImageView<T>` also writes.
+template <class T>
+class ImageView {
+ public:
+  ImageView() = default;
+  ImageView(T* data, int width, int height) : data_(data), width_(width), height_(height) {}
+  /// A view that writes is also a view that reads.
+  template <class U>
+    requires(std::is_same_v<T, const U>)
+  ImageView(ImageView<U> other) : ImageView(other.data(), other.width(), other.height()) {}
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  size_t size() const { return static_cast<size_t>(width_) * static_cast<size_t>(height_); }
+  bool empty() const { return size() == 0; }
+  T* data() const { return data_; }
+  T* row(int y) const { return data_ + static_cast<size_t>(y) * static_cast<size_t>(width_); }
+  T& operator()(int x, int y) const {
+    assert(x >= 0 && x < width_ && y >= 0 && y < height_);
+    return row(y)[x];
+  }
+  T* begin() const { return data_; }
+  T* end() const { return data_ + size(); }
+
+ private:
+  T* data_ = nullptr;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+/// Owns the pixels of an image, contiguous by rows. Moves; a copy is spelled `clone()`.
+template <class T>
+class Image {
+ public:
+  Image() = default;
+  Image(int width, int height, const T& value = T())
+      : pixels_(static_cast<size_t>(width) * static_cast<size_t>(height), value), width_(width), height_(height) {}
+  Image(Image&& other) noexcept { *this = std::move(other); }
+  Image& operator=(Image&& other) noexcept {
+    pixels_ = std::move(other.pixels_);
+    width_ = std::exchange(other.width_, 0);
+    height_ = std::exchange(other.height_, 0);
+    other.pixels_.clear();
+    return *this;
+  }
+  Image clone() const {
+    Image copy;
+    copy.pixels_ = pixels_;
+    copy.width_ = width_;
+    copy.height_ = height_;
+    return copy;
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  size_t size() const { return pixels_.size(); }
+  bool empty() const { return pixels_.empty(); }
+  T* data() { return pixels_.data(); }
+  const T* data() const { return pixels_.data(); }
+  T* row(int y) { return data() + static_cast<size_t>(y) * static_cast<size_t>(width_); }
+  const T* row(int y) const { return data() + static_cast<size_t>(y) * static_cast<size_t>(width_); }
+  T& operator()(int x, int y) { return view()(x, y); }
+  const T& operator()(int x, int y) const { return view()(x, y); }
+  T* begin() { return data(); }
+  T* end() { return data() + size(); }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size(); }
+
+  ImageView<T> view() { return {data(), width_, height_}; }
+  ImageView<const T> view() const { return {data(), width_, height_}; }
+  operator ImageView<T>() { return view(); }
+  operator ImageView<const T>() const { return view(); }
+
+  bool operator==(const Image&) const = default;
+
+ private:
+  Image(const Image&) = delete;
+  Image& operator=(const Image&) = delete;
+
+  std::vector<T> pixels_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+template <class A, class B>
+bool same_size(const A& a, const B& b) {
+  return a.width() == b.width() && a.height() == b.height();
+}
+
+}  // namespace texbake

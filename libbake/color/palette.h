@@ -1,0 +1,31 @@
+// The principal variation colour space: K dominant colours, each with one direction of variation.
+// Based on: Vanhoey et al. 2013, §4, eq. 1.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libbake/base/image.h"
+#include "libbake/base/torus.h"
+
+namespace texbake {
+
+/// One colour class. Colours of the class are C = dominant + v · variation, in CIELUV (D65, L in 0 … 100).
+struct ColorClass {
+  V3f dominant;   ///< D_i, the mean of the class: (L, u*, v*)
+  V3f variation;  ///< V_i, a unit vector; its component of largest magnitude is positive
+};
+
+struct Palette {
+  std::vector<ColorClass> classes;  ///< 1 … kMaxClasses, ordered by dominant L, dark first
+};
+inline constexpr int kMaxClasses = 64;
+
+/// An exemplar in its principal variation colour space.
+struct PrincipalVariation {
+  Palette palette;
+  Image<uint8_t> index;     ///< class of each texel, 0 … K−1
+  Image<float> variation;   ///< coordinate v along V_i in ΔE units, half-exact
+};
+
+}  // namespace texbake

@@ -1,0 +1,36 @@
+// Contents: what may fill a patch. One table, read by the search, the bundle and the evaluator alike.
+// Based on: Vanhoey et al. 2013, §5.2 and §5.3; Guingo et al. 2017, §4 for rotation and scale.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libbake/base/torus.h"
+
+namespace texbake {
+
+/// Where a patch's texels come from. A texel at offset d from the patch's centre c shows the base at
+///   c + translation + (a·d.x − b·d.y, b·d.x + a·d.y) / 65536,   wrapped to the tile,
+/// with a = 65536 cos θ / λ and b = −65536 sin θ / λ: the content appears turned by θ and λ times its size.
+struct Content {
+  V2i translation;           ///< texels, shortest on the torus; the identity is (0, 0)
+  int32_t a = 65536;         ///< 16.16 fixed point
+  int32_t b = 0;
+  int rotation_eighths = 0;  ///< θ in multiples of π/4, 0 … 7, counter-clockwise on the picture as seen
+  float scale = 1.0f;        ///< λ, 0.5 … 1
+  float impact = 0.0f;       ///< I of eq. 2, in ΔE⁴ (ΔE² · ΔE²); 0 for the identity
+  bool operator==(const Content&) const = default;
+};
+
+/// P × N_t contents. Content 0 of every patch is the identity.
+struct ContentTable {
+  int patch_count = 0;
+  int content_count = 0;          ///< N_t, the same for every patch
+  std::vector<Content> contents;  ///< patch-major
+
+  const Content& at(int patch, int content) const {
+    return contents[static_cast<size_t>(patch) * static_cast<size_t>(content_count) + static_cast<size_t>(content)];
+  }
+};
+
+}  // namespace texbake

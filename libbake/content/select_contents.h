@@ -1,0 +1,79 @@
+// Chooses what may fill each patch: candidates of least visual impact, then a balanced choice among them.
+// Based on: Vanhoey et al. 2013, §5.2, eq. 2 and 3.
+#pragma once
+
+#include "libbake/base/options.h"
+#include "libbake/base/progress.h"
+#include "libbake/color/palette.h"
+#include "libbake/content/content.h"
+#include "libbake/segment/patch.h"
+
+namespace texbake {
+
+/// How the N_t contents are chosen from the candidates.
+enum class Choice {
+  impact,    ///< the paper's: the least impact
+  balanced,  ///< contents that balance each other from afar and use the exemplar evenly
+};
+template <>
+struct EnumNames<Choice> {
+  static constexpr std::pair<Choice, std::string_view> values[] = {{Choice::impact, "impact"},
+                                                                   {Choice::balanced, "balanced"}};
+};
+
+/// How the candidates are searched.
+enum class Search {
+  exact,    ///< every translation of the tile is considered
+  refined,  ///< at reduced size first, then exactly around the best
+};
+template <>
+struct EnumNames<Search> {
+  static constexpr std::pair<Search, std::string_view> values[] = {{Search::exact, "exact"},
+                                                                   {Search::refined, "refined"}};
+};
+
+struct SelectContentsOptions {
+  int count = 5;  ///< N_t
+  std::optional<int> candidates;
+  std::optional<int> separation_px;
+  Choice choice = Choice::balanced;
+  std::optional<Search> search;
+  uint32_t seed = 1;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.count, Field{.name = "count", .unit = "contents", .min = 1, .max = 64,
+                            .help = "contents of each patch, the identity included (N_t)"});
+    visit(self.candidates, Field{.name = "candidates", .unit = "translations", .min = 1, .max = 4096,
+                                 .help = "translations of least impact kept for the choice",
+                                 .auto_help = "60, or count - 1 with --choice impact"});
+    visit(self.separation_px, Field{.name = "separation", .unit = "px", .min = 1, .max = 4096,
+                                    .help = "least distance of candidates from the identity and from each other",
+                                    .auto_help = "from the size of the tile"});
+    visit(self.choice, Field{.name = "choice", .help = "impact: the least impact; balanced: no grid from afar"});
+    visit(self.search, Field{.name = "search", .help = "exact: all translations; refined: at reduced size first",
+                             .auto_help = "exact up to 1024 x 1024 texels, refined above"});
+    visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the joint choice"});
+  }
+};
+
+/// Impact over all pairs of contents on the two sides of patch borders, as they meet at run time.
+struct PairImpact {
+  double mean = 0;
+  double worst = 0;
+};
+
+struct ContentSelection {
+  ContentTable table;
+  PairImpact pairs;
+  Search search = Search::exact;  ///< the search that was used
+};
+
+SelectContentsOptions resolve(const SelectContentsOptions& options, int width, int height);
+
+/// `base` is the picture behind `colors`, linear Rec.709. Throws Error(infeasible) when the tile is too small for
+/// `count` contents at the separation asked for.
+ContentSelection select_contents(const PrincipalVariation& colors, ImageView<const V3f> base, const PatchMap& patches,
+                                 const SelectContentsOptions& options = {}, const Progress& progress = {});
+
+}  // namespace texbake
