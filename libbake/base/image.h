@@ -40,12 +40,21 @@ class ImageView {
   int height_ = 0;
 };
 
+/// A zero of any pixel type. Imath's vectors are left uninitialised by their default constructor.
+template <class T>
+constexpr T zero_pixel() {
+  if constexpr (std::is_constructible_v<T, int>)
+    return T(0);
+  else
+    return T{};
+}
+
 /// Owns the pixels of an image, contiguous by rows. Moves; a copy is spelled `clone()`.
 template <class T>
 class Image {
  public:
   Image() = default;
-  Image(int width, int height, const T& value = T())
+  Image(int width, int height, const T& value = zero_pixel<T>())
       : pixels_(static_cast<size_t>(width) * static_cast<size_t>(height), value), width_(width), height_(height) {}
   Image(Image&& other) noexcept { *this = std::move(other); }
   Image& operator=(Image&& other) noexcept {

@@ -12,8 +12,8 @@ namespace texbake {
 
 /// One colour class. Colours of the class are C = dominant + v · variation, in CIELUV (D65, L in 0 … 100).
 struct ColorClass {
-  V3f dominant;   ///< D_i, the mean of the class: (L, u*, v*)
-  V3f variation;  ///< V_i, a unit vector; its component of largest magnitude is positive
+  V3f dominant{0};    ///< D_i, the mean of the class: (L, u*, v*)
+  V3f variation{0};  ///< V_i, a unit vector; its component of largest magnitude is positive
 };
 
 struct Palette {

@@ -34,7 +34,7 @@ struct FragmentOptions {
 
 struct Fragment {
   uint32_t class_idx = 0;  ///< colour class of the seed
-  V3f mean_color;          ///< mean of the base over the fragment, linear Rec.709
+  V3f mean_color{0};         ///< mean of the base over the fragment, linear Rec.709
 };
 
 struct FragmentMap {

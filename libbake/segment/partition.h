@@ -39,7 +39,7 @@ Partition unwrap(Image<uint32_t> idx);
 struct PartitionFault {
   enum class Kind { idx_out_of_range, empty_shape, not_connected, inconsistent_owner, too_large, wrong_center } kind;
   uint32_t shape = 0;
-  V2i texel;
+  V2i texel{0, 0};
 };
 std::vector<PartitionFault> check_partition(const Partition& partition);
 

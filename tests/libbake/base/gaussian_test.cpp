@@ -12,8 +12,9 @@ TEST(Gaussian, KernelSumsToOneAndHasItsVariance) {
   const int radius = static_cast<int>(kernel.size()) / 2;
   double sum = 0, variance = 0;
   for (int d = -radius; d <= radius; ++d) {
-    sum += kernel[static_cast<size_t>(d + radius)];
-    variance += kernel[static_cast<size_t>(d + radius)] * d * d;
+    const double weight = kernel[static_cast<size_t>(d + radius)];
+    sum += weight;
+    variance += weight * d * d;
   }
   EXPECT_NEAR(sum, 1.0, 1e-6);
   EXPECT_NEAR(variance, 4.0, 0.15);  // cut at three standard deviations

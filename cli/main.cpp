@@ -1,0 +1,2 @@
+#include "formats/bundle.h"
+int main() { return 0; }

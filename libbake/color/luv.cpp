@@ -1,0 +1,1 @@
+#include "libbake/color/luv.h"

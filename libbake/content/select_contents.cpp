@@ -1,0 +1,1 @@
+#include "libbake/content/select_contents.h"

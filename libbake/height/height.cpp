@@ -1,0 +1,1 @@
+#include "libbake/base/image.h"

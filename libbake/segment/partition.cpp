@@ -1,0 +1,1 @@
+#include "libbake/segment/partition.h"
