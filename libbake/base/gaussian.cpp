@@ -10,9 +10,7 @@
 namespace texbake {
 namespace {
 
-int border_index(int i, int n, Wrap border) {
-  return border == Wrap::repeat ? wrap(i, n) : std::clamp(i, 0, n - 1);
-}
+int border_index(int i, int n, Wrap border) { return border == Wrap::repeat ? wrap(i, n) : std::clamp(i, 0, n - 1); }
 
 template <class T>
 Image<T> blur(ImageView<const T> image, double sigma_px, Wrap border) {

@@ -18,8 +18,8 @@ class ImageView {
   ImageView(T* data, int width, int height) : data_(data), width_(width), height_(height) {}
   /// A view that writes is also a view that reads.
   template <class U>
-    requires(std::is_same_v<T, const U>)
-  ImageView(ImageView<U> other) : ImageView(other.data(), other.width(), other.height()) {}
+  requires(std::is_same_v<T, const U>) ImageView(ImageView<U> other)
+      : ImageView(other.data(), other.width(), other.height()) {}
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -43,16 +43,14 @@ template <class E>
 struct EnumNames;
 
 template <class E>
-  requires std::is_enum_v<E>
-std::string_view enum_name(E value) {
+requires std::is_enum_v<E> std::string_view enum_name(E value) {
   for (const auto& [candidate, name] : EnumNames<E>::values)
     if (candidate == value) return name;
   return "?";
 }
 
 template <class E>
-  requires std::is_enum_v<E>
-std::optional<E> enum_value(std::string_view name) {
+requires std::is_enum_v<E> std::optional<E> enum_value(std::string_view name) {
   for (const auto& [value, candidate] : EnumNames<E>::values)
     if (candidate == name) return value;
   return std::nullopt;

@@ -24,24 +24,40 @@ double polynomial(const double (&coefficients)[N], double x) {
 }
 
 // 1/n! for the Taylor series of e^r, |r| ≤ ln2/2: the first term left out is below 1e-17.
-constexpr double kExpSeries[] = {1.0,        1.0,         1.0 / 2,       1.0 / 6,        1.0 / 24,
-                                 1.0 / 120,  1.0 / 720,   1.0 / 5040,    1.0 / 40320,    1.0 / 362880,
-                                 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800.0};
-constexpr double kCosSeries[] = {1.0,           -1.0 / 2,         1.0 / 24,           -1.0 / 720,
-                                 1.0 / 40320,   -1.0 / 3628800,   1.0 / 479001600,    -1.0 / 87178291200.0,
+constexpr double kExpSeries[] = {
+    1.0,        1.0,         1.0 / 2,      1.0 / 6,       1.0 / 24,       1.0 / 120,       1.0 / 720,
+    1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800.0};
+constexpr double kCosSeries[] = {1.0,
+                                 -1.0 / 2,
+                                 1.0 / 24,
+                                 -1.0 / 720,
+                                 1.0 / 40320,
+                                 -1.0 / 3628800,
+                                 1.0 / 479001600,
+                                 -1.0 / 87178291200.0,
                                  1.0 / 20922789888000.0};
-constexpr double kSinSeries[] = {1.0,           -1.0 / 6,         1.0 / 120,          -1.0 / 5040,
-                                 1.0 / 362880,  -1.0 / 39916800,  1.0 / 6227020800.0, -1.0 / 1307674368000.0,
+constexpr double kSinSeries[] = {1.0,
+                                 -1.0 / 6,
+                                 1.0 / 120,
+                                 -1.0 / 5040,
+                                 1.0 / 362880,
+                                 -1.0 / 39916800,
+                                 1.0 / 6227020800.0,
+                                 -1.0 / 1307674368000.0,
                                  1.0 / 355687428096000.0};
 
 // cos(r + quarter_turns · π/2) for |r| ≤ π/4.
 double cos_quadrant(double r, int64_t quarter_turns) {
   const double r2 = r * r;
   switch (quarter_turns & 3) {
-    case 0: return polynomial(kCosSeries, r2);
-    case 1: return -r * polynomial(kSinSeries, r2);
-    case 2: return -polynomial(kCosSeries, r2);
-    default: return r * polynomial(kSinSeries, r2);
+    case 0:
+      return polynomial(kCosSeries, r2);
+    case 1:
+      return -r * polynomial(kSinSeries, r2);
+    case 2:
+      return -polynomial(kCosSeries, r2);
+    default:
+      return r * polynomial(kSinSeries, r2);
   }
 }
 

@@ -1,0 +1,70 @@
+#include "libbake/quality/fidelity.h"
+
+#include <gtest/gtest.h>
+
+#include "libbake/base/gaussian.h"
+#include "libbake/base/random.h"
+
+namespace texbake {
+namespace {
+
+Image<V3f> grain(int n, double sigma_px, uint32_t seed) {
+  Random random(seed);
+  Image<V3f> image(n, n);
+  for (V3f& c : image) c = V3f(random.uniform(), random.uniform(), random.uniform()) * 100.0f;
+  return gaussian_blur(image, sigma_px, Wrap::repeat);
+}
+
+TEST(Fidelity, AnExemplarMatchesItself) {
+  const Image<V3f> image = grain(64, 1.0, 1);
+  EXPECT_EQ(*color_distance(image, image), 0.0);
+  EXPECT_EQ(*spectrum_distance_db(image, image), 0.0);
+  EXPECT_EQ(gradient_match(image, image)->ratio_of_means, 1.0);
+  EXPECT_EQ(*structure_distance(image, image, image), 1.0);
+  for (const auto& ratio : octave_band_ratios(image, image)) EXPECT_EQ(*ratio, 1.0);
+}
+
+TEST(Fidelity, BlurMovesGradientsAndSpectrumAndFineBands) {
+  const Image<V3f> image = grain(128, 1.0, 1);
+  const Image<V3f> blurred = gaussian_blur(image, 1.5, Wrap::repeat);
+  EXPECT_LT(gradient_match(image, blurred)->ratio_of_means, 0.7);
+  EXPECT_GT(*spectrum_distance_db(image, blurred), 3.0);
+  EXPECT_LT(*octave_band_ratios(image, blurred).front(), 0.85);
+  EXPECT_NEAR(*octave_band_ratios(image, blurred)[3], 1.0, 0.1);  // the blur is far below this band
+}
+
+TEST(Fidelity, HalfTheContrastIsSixDecibels) {
+  const Image<V3f> image = grain(64, 1.0, 1);
+  Image<V3f> flat = image.clone();
+  for (V3f& c : flat) c *= 0.5f;
+  EXPECT_NEAR(*spectrum_distance_db(image, flat), 6.02, 0.01);
+  EXPECT_NEAR(gradient_match(image, flat)->ratio_of_means, 0.5, 1e-6);
+}
+
+TEST(Fidelity, ColourDistanceIsAShiftInUnitsOfTheDeviation) {
+  const Image<V3f> image = grain(64, 0.0, 1);  // uniform in a cube of 100: deviation 100 · sqrt(3/12) = 50
+  Image<V3f> shifted = image.clone();
+  for (V3f& c : shifted) c.x += 10.0f;
+  // Over the sphere the mean of cos² is 1/3: 10 / sqrt(3) / 50.
+  EXPECT_NEAR(*color_distance(image, shifted), 0.1155, 0.004);
+}
+
+TEST(Fidelity, ShuffledTexelsHaveStructureNowhereFound) {
+  const Image<V3f> image = grain(128, 2.0, 1);
+  Image<V3f> shuffled = image.clone();
+  Random random(7);
+  for (size_t i = shuffled.size() - 1; i > 0; --i)
+    std::swap(shuffled.data()[i], shuffled.data()[random.below(static_cast<uint32_t>(i + 1))]);
+  EXPECT_GT(*structure_distance(image, shuffled, image), 1.3);
+}
+
+TEST(Fidelity, IsNotDefinedForAConstantExemplar) {
+  const Image<V3f> flat(32, 32, V3f(40, 1, 1));
+  EXPECT_FALSE(color_distance(flat, flat).has_value());
+  EXPECT_FALSE(spectrum_distance_db(flat, flat).has_value());
+  EXPECT_FALSE(gradient_match(flat, flat).has_value());
+  EXPECT_FALSE(structure_distance(flat, flat, flat).has_value());
+}
+
+}  // namespace
+}  // namespace texbake
