@@ -12,20 +12,29 @@
 namespace texbake {
 
 struct FragmentOptions {
-  std::optional<float> threshold;     ///< τ
+  std::optional<float> threshold;  ///< τ
   std::optional<int> min_area_px;
   std::optional<int> max_area_px;
   uint32_t seed = 1;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.threshold, Field{.name = "threshold", .unit = "ΔE", .min = 0.01, .max = 1000,
+    visit(self.threshold, Field{.name = "threshold",
+                                .unit = "ΔE",
+                                .min = 0.01,
+                                .max = 1000,
                                 .help = "contrast at which a fragment stops growing (τ)",
                                 .auto_help = "from the spread of the variation coordinate"});
-    visit(self.min_area_px, Field{.name = "min-area", .unit = "px", .min = 1, .max = 1e8,
+    visit(self.min_area_px, Field{.name = "min-area",
+                                  .unit = "px",
+                                  .min = 1,
+                                  .max = 1e8,
                                   .help = "smaller fragments are dissolved into their neighbours",
                                   .auto_help = "from the size of the tile"});
-    visit(self.max_area_px, Field{.name = "max-area", .unit = "px", .min = 4, .max = 1e8,
+    visit(self.max_area_px, Field{.name = "max-area",
+                                  .unit = "px",
+                                  .min = 4,
+                                  .max = 1e8,
                                   .help = "a fragment stops growing at this area",
                                   .auto_help = "from the size of the tile"});
     visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the growth order"});
@@ -34,7 +43,7 @@ struct FragmentOptions {
 
 struct Fragment {
   uint32_t class_idx = 0;  ///< colour class of the seed
-  V3f mean_color{0};         ///< mean of the base over the fragment, linear Rec.709
+  V3f mean_color{0};       ///< mean of the base over the fragment, linear Rec.709
 };
 
 struct FragmentMap {

@@ -12,8 +12,12 @@ struct PatchOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.count, Field{.name = "count", .unit = "patches", .min = 1, .max = 4096,
-                            .help = "number of patches aimed at", .auto_help = "16, fewer where fragments are few"});
+    visit(self.count, Field{.name = "count",
+                            .unit = "patches",
+                            .min = 1,
+                            .max = 4096,
+                            .help = "number of patches aimed at",
+                            .auto_help = "16, fewer where fragments are few"});
     visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the circle packing"});
   }
 };
@@ -25,8 +29,8 @@ struct PatchMap {
 PatchOptions resolve(const PatchOptions& options, const FragmentMap& fragments);
 
 /// Packs circles on the torus and clusters the fragments that lie in them, so that patches are connected, of similar
-/// area, and some lie across the tile's borders and corner. Throws Error(infeasible) when there are fewer fragments than
-/// patches, or when no partition with patches under half the tile on each axis exists.
+/// area, and some lie across the tile's borders and corner. Throws Error(infeasible) when there are fewer fragments
+/// than patches, or when no partition with patches under half the tile on each axis exists.
 PatchMap patch(const FragmentMap& fragments, const PatchOptions& options = {}, const Progress& progress = {});
 
 }  // namespace texbake
