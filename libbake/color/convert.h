@@ -16,10 +16,16 @@ struct ConvertOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.classes, Field{.name = "classes", .unit = "colours", .min = 1, .max = kMaxClasses,
+    visit(self.classes, Field{.name = "classes",
+                              .unit = "colours",
+                              .min = 1,
+                              .max = kMaxClasses,
                               .help = "number of colour classes (K): the dominant hues are a good guess",
                               .auto_help = "where one more class stops paying"});
-    visit(self.height_weight, Field{.name = "height-weight", .unit = "ΔE per unit height", .min = 0, .max = 1000,
+    visit(self.height_weight, Field{.name = "height-weight",
+                                    .unit = "ΔE per unit height",
+                                    .min = 0,
+                                    .max = 1000,
                                     .help = "weight of the height map among the colour coordinates"});
   }
 };
@@ -42,10 +48,5 @@ ConvertOptions resolve(const ConvertOptions& options, ImageView<const V3f> exemp
 /// `exemplar` is a tile in linear Rec.709; `height_01` is empty or of the same size.
 Conversion convert(ImageView<const V3f> exemplar, ImageView<const float> height_01, const ConvertOptions& options = {},
                    const Progress& progress = {});
-
-/// The colour that (index, variation) stands for, linear Rec.709: the paper's compact form.
-Image<V3f> decode(const PrincipalVariation& colors);
-/// The dominant part alone: D_i of each texel, linear Rec.709.
-Image<V3f> decode_dominant(const PrincipalVariation& colors);
 
 }  // namespace texbake

@@ -12,7 +12,7 @@ namespace texbake {
 
 /// One colour class. Colours of the class are C = dominant + v · variation, in CIELUV (D65, L in 0 … 100).
 struct ColorClass {
-  V3f dominant{0};    ///< D_i, the mean of the class: (L, u*, v*)
+  V3f dominant{0};   ///< D_i, the mean of the class: (L, u*, v*)
   V3f variation{0};  ///< V_i, a unit vector; its component of largest magnitude is positive
 };
 
@@ -24,8 +24,14 @@ inline constexpr int kMaxClasses = 64;
 /// An exemplar in its principal variation colour space.
 struct PrincipalVariation {
   Palette palette;
-  Image<uint8_t> index;     ///< class of each texel, 0 … K−1
-  Image<float> variation;   ///< coordinate v along V_i in ΔE units, half-exact
+  Image<uint8_t> index;    ///< class of each texel, 0 … K−1
+  Image<float> variation;  ///< coordinate v along V_i in ΔE units, half-exact
 };
+
+/// The colour that (index, variation) stands for, linear Rec.709: the paper's compact form. Channels that would be
+/// negative are 0.
+Image<V3f> decode(const PrincipalVariation& colors);
+/// The dominant part alone: D_i of each texel, linear Rec.709.
+Image<V3f> decode_dominant(const PrincipalVariation& colors);
 
 }  // namespace texbake
