@@ -16,7 +16,7 @@ struct Content {
   V2i translation{0, 0};           ///< texels, shortest on the torus; the identity is (0, 0)
   int32_t a = 65536;         ///< 16.16 fixed point
   int32_t b = 0;
-  int rotation_eighths = 0;  ///< θ in multiples of π/4, 0 … 7, counter-clockwise on the picture as seen
+  int rotation_eighths = 0;  ///< θ in multiples of π/4, 0 … 7, from x towards y: clockwise as seen
   float scale = 1.0f;        ///< λ, 0.5 … 1
   float impact = 0.0f;       ///< I of eq. 2, in ΔE⁴ (ΔE² · ΔE²); 0 for the identity
   bool operator==(const Content&) const = default;

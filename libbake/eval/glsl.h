@@ -1,0 +1,73 @@
+// The words of GLSL that the shader text uses, spelled in C++, so that the same text runs on the processor.
+// Arithmetic on vectors is componentwise and rounds each operation once: compile with -ffp-contract=off.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace texbake::glsl {
+
+using uint = uint32_t;
+
+struct uvec2;
+
+struct ivec2 {
+  int x, y;
+  ivec2() = default;
+  ivec2(int x_, int y_) : x(x_), y(y_) {}
+  explicit ivec2(const uvec2& v);
+};
+
+struct uvec2 {
+  uint x, y;
+  uvec2() = default;
+  uvec2(uint x_, uint y_) : x(x_), y(y_) {}
+  /// Keeps the bits: −1 is 2^32 − 1.
+  explicit uvec2(const ivec2& v) : x(static_cast<uint>(v.x)), y(static_cast<uint>(v.y)) {}
+};
+inline ivec2::ivec2(const uvec2& v) : x(static_cast<int>(v.x)), y(static_cast<int>(v.y)) {}
+
+inline uvec2 operator+(const uvec2& a, const uvec2& b) { return {a.x + b.x, a.y + b.y}; }
+
+struct ivec4 {
+  int x, y, z, w;
+};
+struct uvec4 {
+  uint x, y, z, w;
+};
+struct alignas(16) vec4 {
+  float x, y, z, w;
+};
+inline vec4 operator+(const vec4& a, const vec4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+inline vec4 operator-(const vec4& a, const vec4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
+inline vec4 operator*(const vec4& a, float b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
+
+/// A texture whose texels have the type that texelFetch returns; borrows the pixels, rows from the top.
+template <class T>
+struct Sampler {
+  const T* texels = nullptr;
+  int width = 0;
+};
+using sampler2D = Sampler<vec4>;
+using isampler2D = Sampler<ivec4>;
+
+/// The patch plane: two 16-bit channels.
+struct PatchTexel {
+  uint16_t patch_idx = 0;
+  uint16_t owner = 5;  ///< (owner.x + 1) | (owner.y + 1) << 2
+  bool operator==(const PatchTexel&) const = default;
+};
+using usampler2D = Sampler<PatchTexel>;
+
+template <class T>
+const T& texel_at_index(const Sampler<T>& sampler, const ivec2& p) {
+  return sampler.texels[static_cast<size_t>(p.y) * static_cast<size_t>(sampler.width) + static_cast<size_t>(p.x)];
+}
+inline vec4 texelFetch(const sampler2D& sampler, const ivec2& p, int /*level*/) { return texel_at_index(sampler, p); }
+inline ivec4 texelFetch(const isampler2D& sampler, const ivec2& p, int /*level*/) { return texel_at_index(sampler, p); }
+inline uvec4 texelFetch(const usampler2D& sampler, const ivec2& p, int /*level*/) {
+  const PatchTexel& texel = texel_at_index(sampler, p);
+  return {texel.patch_idx, texel.owner, 0, 1};
+}
+
+}  // namespace texbake::glsl

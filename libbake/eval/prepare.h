@@ -1,0 +1,76 @@
+// Turns what the stages found into the planes and tables that the evaluator reads, on the processor and on the GPU
+// alike. The layout is specified in shaders/README.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libbake/base/image.h"
+#include "libbake/color/palette.h"
+#include "libbake/content/content.h"
+#include "libbake/eval/glsl.h"
+#include "libbake/segment/fragment.h"
+#include "libbake/segment/patch.h"
+
+namespace texbake {
+
+/// How the values of a map change with the content that shows them.
+enum class MapKind {
+  plain,           ///< taken as they are
+  normal_opengl,   ///< vectors that turn with the content; +y points up in the picture
+  normal_directx,  ///< the same; +y points down
+  height,          ///< relief, which shrinks with a content that is shown smaller
+};
+
+/// A map to prepare. Views are borrowed during `prepare` only.
+struct MapInput {
+  std::string name;
+  MapKind kind = MapKind::plain;
+  std::vector<ImageView<const float>> channels;  ///< 1 to 4, all of the tile's size
+};
+
+/// What `prepare` reads. Only the base is required: without patches the tile repeats unchanged, without contents every
+/// patch has the identity alone, without fragments or colours their `Show` is refused.
+struct EvaluatorInput {
+  ImageView<const V3f> base;  ///< linear Rec.709
+  const PatchMap* patches = nullptr;
+  const ContentTable* contents = nullptr;
+  const FragmentMap* fragments = nullptr;
+  const PrincipalVariation* colors = nullptr;
+  std::vector<MapInput> maps;
+};
+
+/// One picture of the tile, four floats to a texel; channels that it lacks are 0.
+struct Plane {
+  std::string name;
+  MapKind kind = MapKind::plain;
+  int channels = 3;
+  Image<glsl::vec4> texels;
+};
+
+/// Everything that the evaluator binds. Arrays are ready for upload: patch_plane RG16UI, contents RGBA32I of width
+/// N_t and height P, centers RGBA32I of width P, base and maps RGBA32F (or RGBA16F, where the source is half).
+struct EvaluatorPlanes {
+  V2i size{0, 0};
+  int patch_count = 1;
+  int content_count = 1;  ///< N_t
+  Image<glsl::PatchTexel> patch_plane;
+  Image<glsl::ivec4> contents;  ///< (t.x + 65536 t.y, 65536 λ, a, b), t in 0 … size−1
+  Image<glsl::ivec4> centers;   ///< (c.x, c.y, 0, 0)
+  Plane base;
+  std::vector<Plane> maps;
+
+  Image<uint32_t> fragment_idx;  ///< empty without fragments
+  Image<float> variation;        ///< empty without colours
+  Image<V3f> dominant;           ///< dominant colour of each texel, linear Rec.709; empty without colours
+
+  const Plane* map(const std::string& name) const;
+};
+
+/// The largest tile side for which every product of the evaluator fits 32 bits.
+inline constexpr int kMaxTileSide = 16384;
+
+/// Throws Error(bad_data) when planes differ in size, a side exceeds kMaxTileSide, or a table does not fit its planes.
+EvaluatorPlanes prepare(const EvaluatorInput& input);
+
+}  // namespace texbake

@@ -1,0 +1,34 @@
+// The reference shader as a C++ type: its uniforms are the members, its functions the member functions.
+// Included only by sources of libbake/eval and by tests.
+#pragma once
+
+#include "libbake/eval/glsl.h"
+
+namespace texbake::glsl {
+
+/// Cheap to copy; borrows every plane. Each thread works on its own copy.
+struct Program {
+  usampler2D patch_plane;
+  isampler2D contents;
+  isampler2D centers;
+  sampler2D base;
+  ivec2 tile_size{1, 1};
+  uint content_count = 1;
+  uint seed = 0;
+
+#define PRECISE
+#include "shaders/hash.glsl"
+//
+#include "shaders/content.glsl"
+//
+#include "shaders/sample.glsl"
+#undef PRECISE
+};
+
+using Texel = Program::Texel;
+using Decision = Program::Decision;
+using Source = Program::Source;
+using Position = Program::Position;
+using Footprint = Program::Footprint;
+
+}  // namespace texbake::glsl

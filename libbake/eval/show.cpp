@@ -1,0 +1,98 @@
+#include "libbake/eval/show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "libbake/base/error.h"
+#include "libbake/base/parallel.h"
+#include "libbake/eval/program_of.h"
+
+namespace texbake {
+namespace {
+
+using glsl::Decision;
+using glsl::Program;
+using glsl::Texel;
+
+constexpr float kBorder = 0.02f;      ///< dark beside every hue of hue_color
+constexpr float kVariationSpan = 60;  ///< ΔE from middle grey to black or white: a wide class reaches ±50
+
+/// A saturated colour for a label: hues by the golden ratio, so that neighbours in number are far apart in hue.
+V3f hue_color(uint32_t label) {
+  const uint32_t turn = label * 2654435769u;  // 2^32 / golden ratio: the top bits step around the circle
+  const float hue = static_cast<float>(turn >> 8) * 0x1p-24f * 6.0f;
+  const auto channel = [&](float peak) {
+    float away = std::abs(hue - peak);
+    away = std::min(away, 6.0f - away);
+    return std::clamp(2.0f - away, 0.0f, 1.0f);
+  };
+  const float light = 0.35f + 0.45f * static_cast<float>((label * 5u) % 3u) * 0.5f;
+  return V3f(channel(0), channel(2), channel(4)) * light + V3f(0.08f);
+}
+
+/// True where the texel to the right or below belongs to another patch, or to another repetition of the same one.
+bool on_border(Program& program, const Texel& texel, const Decision& decision) {
+  const auto differs = [&](const Texel& other) {
+    const Decision there = program.decide(other);
+    const auto owner = [](const Texel& t, const Decision& d) {
+      return std::pair(t.tile.x + static_cast<uint32_t>(d.owner.x), t.tile.y + static_cast<uint32_t>(d.owner.y));
+    };
+    return there.patch_idx != decision.patch_idx || owner(other, there) != owner(texel, decision);
+  };
+  return differs(program.right_of(texel)) || differs(program.below(texel));
+}
+
+V3f content_color(int content) { return content == 0 ? V3f(0.4f) : hue_color(static_cast<uint32_t>(content) * 7u); }
+
+/// The colour of one texel of the view.
+V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Texel& texel) {
+  const Decision decision = program.decide(texel);
+  const glsl::ivec2 source = program.source_of(texel, decision).nearest;
+  switch (show) {
+    case Show::patches:
+      return on_border(program, texel, decision) ? V3f(kBorder) : hue_color(static_cast<uint32_t>(decision.patch_idx));
+    case Show::contents:
+      return on_border(program, texel, decision) ? V3f(kBorder) : content_color(decision.content);
+    case Show::fragments:
+      return hue_color(planes.fragment_idx(source.x, source.y));
+    case Show::index:
+      return planes.dominant(source.x, source.y);
+    case Show::variation:
+      return V3f(std::clamp(0.5f + planes.variation(source.x, source.y) * (0.5f / kVariationSpan), 0.0f, 1.0f));
+    case Show::color:
+      break;
+  }
+  return V3f(0);
+}
+
+void check_show(const EvaluatorPlanes& planes, Show show) {
+  const bool lacks_fragments = show == Show::fragments && planes.fragment_idx.empty();
+  const bool lacks_colors = (show == Show::index || show == Show::variation) && planes.dominant.empty();
+  if (lacks_fragments || lacks_colors)
+    throw Error(ErrorKind::usage, fmt::format("--show {}: the bundle has none; run `texbake {}` on it first",
+                                              enum_name(show), lacks_fragments ? "fragment" : "convert"));
+}
+
+}  // namespace
+
+Image<V3f> show_rows(const EvaluatorPlanes& planes, const Window& window, Show show, int row_begin, int row_end) {
+  if (show == Show::color) return render_rows(planes, window, row_begin, row_end);
+  check_window(window, planes.size);
+  check_show(planes, show);
+  Image<V3f> rows(window.width, row_end - row_begin);
+  const glsl::Position origin{
+      {window.origin_x.tile, window.origin_y.tile},
+      {static_cast<int>(window.origin_x.offset_256), static_cast<int>(window.origin_y.offset_256)}};
+  parallel_for(0, rows.height(), [&](int j) {
+    Program program = program_of(planes, window.seed);
+    for (int i = 0; i < rows.width(); ++i) {
+      const glsl::uvec2 pixel{static_cast<uint32_t>(i), static_cast<uint32_t>(row_begin + j)};
+      const Texel texel = program.texel_at(program.pixel_position(origin, window.step_256, pixel));
+      rows(i, j) = shown(planes, program, show, texel);
+    }
+  });
+  return rows;
+}
+
+}  // namespace texbake

@@ -1,0 +1,114 @@
+// The slow painter: works forward, tile by tile and patch by patch, and shares no line with the evaluator.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "small_tile.h"
+
+namespace texbake {
+
+/// A rectangle of the infinite texture, texel by texel. Coordinates are 64-bit: no repetition of the tile is folded.
+struct Painting {
+  int64_t x0 = 0, y0 = 0;
+  Image<V3f> color;
+  Image<int> patch;  ///< −1 where nothing was painted
+  Image<int> content;
+  Image<int> times;  ///< how often a texel was painted: 1 everywhere
+
+  bool covers(int64_t x, int64_t y) const {
+    return x >= x0 && y >= y0 && x < x0 + color.width() && y < y0 + color.height();
+  }
+};
+
+class Painter {
+ public:
+  Painter(const SmallTile& tile, uint32_t seed) : tile_(tile), seed_(seed) {}
+
+  Painting paint(int64_t x0, int64_t y0, int width, int height) const {
+    Painting painting{x0,
+                      y0,
+                      Image<V3f>(width, height),
+                      Image<int>(width, height, -1),
+                      Image<int>(width, height),
+                      Image<int>(width, height)};
+    const V2i n = tile_.size();
+    for (int64_t ky = floor_div(y0, n.y) - 1; ky <= floor_div(y0 + height, n.y) + 1; ++ky)
+      for (int64_t kx = floor_div(x0, n.x) - 1; kx <= floor_div(x0 + width, n.x) + 1; ++kx)
+        for (int patch = 0; patch < tile_.patches.partition.count(); ++patch) paint_patch(painting, kx, ky, patch);
+    return painting;
+  }
+
+  /// Content of a patch in repetition (kx, ky), by 64-bit arithmetic modulo 2^32.
+  int content_of(int patch, int64_t kx, int64_t ky) const {
+    uint64_t h = permuted(seed_);
+    h = permuted(modulo(h + modulo(static_cast<uint64_t>(ky))));
+    h = permuted(modulo(h + modulo(static_cast<uint64_t>(kx))));
+    h = permuted(modulo(h + static_cast<uint64_t>(patch)));
+    return static_cast<int>(h / 65536 * static_cast<uint64_t>(tile_.contents.content_count) / 65536);
+  }
+
+  static int64_t floor_div(int64_t a, int64_t b) {
+    return static_cast<int64_t>(std::floor(static_cast<double>(a) / static_cast<double>(b)));
+  }
+
+ private:
+  static uint64_t modulo(uint64_t x) { return x % 4294967296; }
+  static uint64_t permuted(uint64_t x) {
+    const uint64_t state = modulo(x * 747796405 + 2891336453);
+    const uint64_t shift = state / 268435456 + 4;
+    const uint64_t word = modulo(((state >> shift) ^ state) * 277803737);
+    return (word / 4194304) ^ word;
+  }
+
+  /// Every texel within half a tile of the centre that bears the patch's number is of this patch: a patch is smaller.
+  void paint_patch(Painting& painting, int64_t kx, int64_t ky, int patch) const {
+    const V2i n = tile_.size();
+    const V2i c = tile_.patches.partition.centers[static_cast<size_t>(patch)];
+    const int number = content_of(patch, kx, ky);
+    const Content& content = tile_.contents.at(patch, number);
+    for (int dy = -n.y / 2; dy <= (n.y - 1) / 2; ++dy)
+      for (int dx = -n.x / 2; dx <= (n.x - 1) / 2; ++dx) {
+        const V2i at = wrap(V2i(c.x + dx, c.y + dy), n);
+        if (tile_.patches.partition.idx(at.x, at.y) != static_cast<uint32_t>(patch)) continue;
+        const int64_t x = kx * n.x + c.x + dx, y = ky * n.y + c.y + dy;
+        if (!painting.covers(x, y)) continue;
+        const int i = static_cast<int>(x - painting.x0), j = static_cast<int>(y - painting.y0);
+        painting.color(i, j) = content_color(content, c, dx, dy);
+        painting.patch(i, j) = patch;
+        painting.content(i, j) = number;
+        ++painting.times(i, j);
+      }
+  }
+
+  /// The base at c + t + M d, blended between texel centres, the place rounded to 1/256 texel.
+  V3f content_color(const Content& content, V2i c, int dx, int dy) const {
+    const double x = (double{1} * content.a * dx - double{1} * content.b * dy) / 65536;
+    const double y = (double{1} * content.b * dx + double{1} * content.a * dy) / 65536;
+    const double x256 = std::floor(x * 256 + 0.5), y256 = std::floor(y * 256 + 0.5);
+    const int left = static_cast<int>(std::floor(x256 / 256)), top = static_cast<int>(std::floor(y256 / 256));
+    const auto at = [&](int i, int j) {
+      const V2i p = wrap(c + content.translation + V2i(left + i, top + j), tile_.size());
+      return tile_.base(p.x, p.y);
+    };
+    return blend(at(0, 0), at(1, 0), at(0, 1), at(1, 1), x256 / 256 - left, y256 / 256 - top);
+  }
+
+ public:
+  /// Bilinear interpolation in the order of shaders/README.md, each operation rounded to float.
+  static V3f blend(const V3f& ul, const V3f& ur, const V3f& ll, const V3f& lr, double wx, double wy) {
+    const auto channel = [&](int c) {
+      const auto x = static_cast<float>(wx), y = static_cast<float>(wy);
+      const float upper = ul[c] + (ur[c] - ul[c]) * x;
+      const float lower = ll[c] + (lr[c] - ll[c]) * x;
+      return upper + (lower - upper) * y;
+    };
+    return {channel(0), channel(1), channel(2)};
+  }
+
+ private:
+  const SmallTile& tile_;
+  uint32_t seed_;
+};
+
+}  // namespace texbake
