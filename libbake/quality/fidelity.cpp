@@ -1,15 +1,18 @@
 #include "libbake/quality/fidelity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "libbake/base/gaussian.h"
+#include "libbake/base/parallel.h"
+#include "libbake/quality/low_pass.h"
 
 namespace texbake {
 namespace {
 
 constexpr int kDirections = 64;
 constexpr int kQuantiles = 1024;
+constexpr size_t kMaxSamples = 1 << 18;
 
 // Value of a sorted sample at quantile (i + ½) / kQuantiles, linear between samples.
 double quantile(const std::vector<float>& sorted, int i) {
@@ -29,10 +32,18 @@ V3f direction(int i) {
           static_cast<float>(z)};
 }
 
-std::vector<float> sorted_projection(ImageView<const V3f> image, const V3f& axis) {
+// At most kMaxSamples texels, evenly spread over the picture: quantiles need no more.
+std::vector<V3f> samples(ImageView<const V3f> image) {
+  const size_t step = image.size() / kMaxSamples + 1;
+  std::vector<V3f> colors;
+  for (size_t i = 0; i < image.size(); i += step) colors.push_back(image.data()[i]);
+  return colors;
+}
+
+std::vector<float> sorted_projection(const std::vector<V3f>& colors, const V3f& axis) {
   std::vector<float> values;
-  values.reserve(image.size());
-  for (const V3f& c : image) values.push_back(c.dot(axis));
+  values.reserve(colors.size());
+  for (const V3f& c : colors) values.push_back(c.dot(axis));
   std::sort(values.begin(), values.end());
   return values;
 }
@@ -79,15 +90,19 @@ double mean(const std::vector<float>& values) {
 std::optional<double> color_distance(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv) {
   const double deviation = std::sqrt(total_variance(exemplar_luv));
   if (deviation < 1e-3 || rendering_luv.empty()) return std::nullopt;  // below 0.001 ΔE: float noise
-  double sum = 0.0;
-  for (int i = 0; i < kDirections; ++i) {
-    const std::vector<float> expected = sorted_projection(exemplar_luv, direction(i));
-    const std::vector<float> found = sorted_projection(rendering_luv, direction(i));
+  const std::vector<V3f> expected_colors = samples(exemplar_luv);
+  const std::vector<V3f> found_colors = samples(rendering_luv);
+  std::array<double, kDirections> squared{};
+  parallel_for(0, kDirections, [&](int i) {
+    const std::vector<float> expected = sorted_projection(expected_colors, direction(i));
+    const std::vector<float> found = sorted_projection(found_colors, direction(i));
     for (int q = 0; q < kQuantiles; ++q) {
       const double difference = quantile(expected, q) - quantile(found, q);
-      sum += difference * difference / kQuantiles;
+      squared[static_cast<size_t>(i)] += difference * difference / kQuantiles;
     }
-  }
+  });
+  double sum = 0.0;
+  for (const double value : squared) sum += value;
   return std::sqrt(sum / kDirections) / deviation;
 }
 
@@ -102,25 +117,27 @@ std::optional<GradientMatch> gradient_match(ImageView<const V3f> exemplar_luv, I
 
 std::vector<std::optional<double>> octave_band_ratios(ImageView<const V3f> exemplar_luv,
                                                       ImageView<const V3f> rendering_luv) {
-  const int n = std::min(exemplar_luv.width(), exemplar_luv.height());
+  const V2i size(exemplar_luv.width(), exemplar_luv.height());
+  const double finest_px = std::min(size.x, size.y) / 128.0;
+  const auto band_variance = [](ImageView<const V3f> image, double sigma_px, int factor) {
+    Image<V3f> band = low_pass(image, sigma_px, factor);
+    const Image<V3f> coarser = low_pass(image, 2.0 * sigma_px, factor);
+    for (size_t i = 0; i < band.size(); ++i) band.data()[i] -= coarser.data()[i];
+    return total_variance(band);
+  };
+  const auto ratio = [](double found, double expected) {
+    return expected > 1e-6 ? std::optional(std::sqrt(found / expected)) : std::nullopt;
+  };
   std::vector<std::optional<double>> ratios;
-  Image<V3f> fine_expected;
-  Image<V3f> fine_found;
-  for (int divisor = 128; divisor >= 8; divisor /= 2) {
-    const double sigma_px = static_cast<double>(n) / divisor;
-    Image<V3f> expected = gaussian_blur(exemplar_luv, sigma_px, Wrap::repeat);
-    Image<V3f> found = gaussian_blur(rendering_luv, sigma_px, Wrap::repeat);
-    if (divisor < 128) {
-      for (size_t i = 0; i < expected.size(); ++i) fine_expected.data()[i] -= expected.data()[i];
-      for (size_t i = 0; i < found.size(); ++i) fine_found.data()[i] -= found.data()[i];
-      const double power = total_variance(fine_expected);
-      ratios.push_back(power > 1e-6 ? std::optional(std::sqrt(total_variance(fine_found) / power)) : std::nullopt);
-    }
-    fine_expected = std::move(expected);
-    fine_found = std::move(found);
+  for (double sigma_px = finest_px; sigma_px < 16.0 * finest_px; sigma_px *= 2.0) {
+    const int factor = reduction_factor(size, sigma_px);
+    ratios.push_back(
+        ratio(band_variance(rendering_luv, sigma_px, factor), band_variance(exemplar_luv, sigma_px, factor)));
   }
-  const double rest = total_variance(fine_expected);
-  ratios.push_back(rest > 1e-6 ? std::optional(std::sqrt(total_variance(fine_found) / rest)) : std::nullopt);
+  const double coarsest_px = 16.0 * finest_px;
+  const int factor = reduction_factor(size, coarsest_px);
+  ratios.push_back(ratio(total_variance(low_pass(rendering_luv, coarsest_px, factor)),
+                         total_variance(low_pass(exemplar_luv, coarsest_px, factor))));
   return ratios;
 }
 

@@ -15,8 +15,9 @@ namespace texbake {
 std::optional<double> color_distance(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv);
 
 /// F_psd: root mean square over 10 radial × 8 angular bins of 10 log10(P_rendering / P_exemplar), in dB. The spectra
-/// are means over Hann-windowed squares of the exemplar's smaller side, of the three coordinates together. Nothing when
-/// the rendering is smaller than the exemplar, or the exemplar has no power.
+/// are means over Hann-windowed squares of half the exemplar's smaller side, at half overlap on the torus, of the three
+/// coordinates together. Nothing when that side is below 16 texels, the rendering is smaller than the exemplar, or the
+/// exemplar has no power.
 std::optional<double> spectrum_distance_db(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv);
 
 struct GradientMatch {
@@ -34,7 +35,7 @@ std::optional<double> structure_distance(ImageView<const V3f> exemplar_luv, Imag
 
 /// Amplitude (standard deviation) of each octave band of the rendering divided by the exemplar's: differences of
 /// Gaussians at σ = n/128, n/64, … n/8 (n the exemplar's smaller side), finest first, then what is coarser than n/8.
-/// A band without power in the exemplar is nothing.
+/// A band without power in the exemplar is nothing. The rendering's sides are multiples of the exemplar's.
 std::vector<std::optional<double>> octave_band_ratios(ImageView<const V3f> exemplar_luv,
                                                       ImageView<const V3f> rendering_luv);
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "libbake/base/error.h"
-#include "libbake/base/gaussian.h"
+#include "libbake/quality/low_pass.h"
 
 namespace texbake {
 namespace {
@@ -42,10 +42,11 @@ std::optional<Repetition> repetition(ImageView<const V3f> rendering_luv, V2i til
     throw Error(ErrorKind::usage, fmt::format("repetition: expected a rendering of two or more whole {} x {} tiles, "
                                               "found {} x {} texels",
                                               tile.x, tile.y, rendering_luv.width(), rendering_luv.height()));
-  const Image<V3f> low = gaussian_blur(rendering_luv, sigma_px, Wrap::repeat);
+  const int factor = reduction_factor(tile, sigma_px);
+  const Image<V3f> low = low_pass(rendering_luv, sigma_px, factor);
   const double v = variance(low);
   if (v < 1e-6) return std::nullopt;  // below 0.001 ΔE: float noise
-  const double v_mean = variance(mean_over_tiles(low, tile));
+  const double v_mean = variance(mean_over_tiles(low, tile / factor));
   const double n = static_cast<double>(tiles_x) * tiles_y;
   const double share = (v_mean - v / n) / (v * (1.0 - 1.0 / n));
   return Repetition{share, std::sqrt(std::max(share, 0.0) * v)};

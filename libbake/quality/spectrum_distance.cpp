@@ -1,9 +1,12 @@
 // F_psd of fidelity.h: radial × angular bins of averaged periodograms.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 #include "libbake/base/fft.h"
+#include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/quality/fidelity.h"
 
@@ -29,20 +32,22 @@ int bin_of(int kx, int ky, int n) {
   return std::min(radial, kRadialBins - 1) * kAngularBins + angular;
 }
 
+double hann(int x, int n) { return 0.5 - 0.5 * portable_cos(2.0 * M_PI * (x + 0.5) / n); }
+
 // Adds the power of the Hann-windowed square at (x0, y0), mean removed, to the bins.
-void add_square(ImageView<const V3f> image, int x0, int y0, int n, ImageView<const int> bin, Bins& power) {
+void add_square(ImageView<const V3f> image, V2i origin, int n, ImageView<const int> bin, Bins& power) {
+  const auto texel = [&](int x, int y) -> const V3f& {
+    return image(wrap(origin.x + x, image.width()), wrap(origin.y + y, image.height()));
+  };
   for (int channel = 0; channel < 3; ++channel) {
     double mean = 0.0;
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) mean += image(x0 + x, y0 + y)[channel];
+      for (int x = 0; x < n; ++x) mean += texel(x, y)[channel];
     mean /= static_cast<double>(n) * n;
     Image<float> square(n, n);
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) {
-        const double window = (0.5 - 0.5 * portable_cos(2.0 * M_PI * (x + 0.5) / n)) *
-                              (0.5 - 0.5 * portable_cos(2.0 * M_PI * (y + 0.5) / n));
-        square(x, y) = static_cast<float>((image(x0 + x, y0 + y)[channel] - mean) * window);
-      }
+      for (int x = 0; x < n; ++x)
+        square(x, y) = static_cast<float>((texel(x, y)[channel] - mean) * hann(x, n) * hann(y, n));
     const Image<std::complex<float>> spectrum = fft<float>(square);
     for (int y = 0; y < n; ++y)
       for (int x = 0; x < n; ++x)
@@ -50,24 +55,27 @@ void add_square(ImageView<const V3f> image, int x0, int y0, int n, ImageView<con
   }
 }
 
-// Mean power of each bin over all squares at half overlap.
+// Mean power of each bin over all squares at half overlap, on the torus of the image.
 Bins mean_power(ImageView<const V3f> image, int n, ImageView<const int> bin) {
-  Bins power{};
-  int squares = 0;
-  for (int y = 0; y + n <= image.height(); y += std::max(n / 2, 1))
-    for (int x = 0; x + n <= image.width(); x += std::max(n / 2, 1)) {
-      add_square(image, x, y, n, bin, power);
-      ++squares;
-    }
-  for (double& p : power) p /= squares;
-  return power;
+  std::vector<V2i> origins;
+  for (int y = 0; y < image.height(); y += n / 2)
+    for (int x = 0; x < image.width(); x += n / 2) origins.emplace_back(x, y);
+  std::vector<Bins> powers(origins.size(), Bins{});
+  parallel_for(0, static_cast<int>(origins.size()), [&](int i) {
+    add_square(image, origins[static_cast<size_t>(i)], n, bin, powers[static_cast<size_t>(i)]);
+  });
+  Bins mean{};
+  for (const Bins& power : powers)
+    for (size_t b = 0; b < mean.size(); ++b) mean[b] += power[b] / static_cast<double>(powers.size());
+  return mean;
 }
 
 }  // namespace
 
 std::optional<double> spectrum_distance_db(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv) {
-  const int n = std::min(exemplar_luv.width(), exemplar_luv.height());
-  if (n < 16 || rendering_luv.width() < n || rendering_luv.height() < n) return std::nullopt;
+  // Squares of half the exemplar's side: sixteen of them on its torus make the estimate steady.
+  const int n = std::min(exemplar_luv.width(), exemplar_luv.height()) / 2;
+  if (n < 16 || rendering_luv.width() < 2 * n || rendering_luv.height() < 2 * n) return std::nullopt;
   Image<int> bin(n, n);
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) bin(x, y) = bin_of(x, y, n);

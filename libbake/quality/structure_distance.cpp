@@ -1,4 +1,4 @@
-// F_structure of fidelity.h: nearest windows by FLANN's exact single k-d tree.
+// F_structure of fidelity.h: nearest windows by FLANN's linear index, exact and faster than a tree in 192 dimensions.
 #include <algorithm>
 #include <cmath>
 #include <flann/flann.hpp>
@@ -51,7 +51,7 @@ std::optional<double> structure_distance(ImageView<const V3f> exemplar_luv, Imag
   for (int y = 0; y + kWindow <= exemplar_luv.height(); y += kStride)
     for (int x = 0; x + kWindow <= exemplar_luv.width(); x += kStride) append_window(exemplar_luv, x, y, windows);
   const flann::Matrix<float> dataset(windows.data(), windows.size() / kDimension, kDimension);
-  flann::Index<flann::L2<float>> index(dataset, flann::KDTreeSingleIndexParams());
+  flann::Index<flann::L2<float>> index(dataset, flann::LinearIndexParams());
   index.buildIndex();
   const double reference = median_nearest(index, periodic_luv, seed);
   if (reference <= 0.0) return std::nullopt;

@@ -1,0 +1,25 @@
+// What a user would pick instead of a bundle, made from the same exemplar: for comparison in the report only.
+#pragma once
+
+#include <cstdint>
+
+#include "libbake/base/image.h"
+#include "libbake/base/torus.h"
+
+namespace texbake {
+
+/// The exemplar again and again, from its own origin. `width_px`, `height_px` > 0.
+Image<V3f> periodic_baseline(ImageView<const V3f> exemplar, int width_px, int height_px);
+
+/// Wang tiles with two colours for each pair of sides: 16 tiles, each the size of the exemplar, whose sides show one of
+/// four random places of the exemplar, joined inside the tile along minimum-error cuts.
+/// Based on: Cohen et al. 2003, "Wang Tiles for image and texture generation". Gives `tiles` whole tiles; neighbours
+/// agree across the border of the picture too.
+Image<V3f> wang_baseline(ImageView<const V3f> exemplar, V2i tiles, uint32_t seed);
+
+/// Hexagonal tiling: three weighted readings at randomly shifted places for each texel, with sharpened weights. The
+/// hexagon's side is a quarter of the exemplar's. Linear colours in, linear colours out.
+/// Based on: Mikkelsen 2022, "Practical Real-Time Hex-Tiling", without rotation.
+Image<V3f> hex_baseline(ImageView<const V3f> exemplar, int width_px, int height_px, uint32_t seed);
+
+}  // namespace texbake
