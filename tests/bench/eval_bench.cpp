@@ -1,0 +1,112 @@
+// Pixels per second of the evaluator, beside a plain periodic lookup in the same run. `items_per_second` is pixels.
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include "libbake/eval/program_of.h"
+#include "libbake/eval/show.h"
+#include "tests/libbake/eval/small_tile.h"
+
+namespace texbake {
+namespace {
+
+constexpr int kTile = 512;
+constexpr int kWidth = 2048, kHeight = 512;
+
+const EvaluatorPlanes& planes_of(Contents kind) {
+  static const EvaluatorPlanes moved = random_tile({kTile, kTile}, 5, Contents::moved, 1).planes();
+  static const EvaluatorPlanes turned = random_tile({kTile, kTile}, 5, Contents::turned, 1).planes();
+  return kind == Contents::moved ? moved : turned;
+}
+
+const EvaluatorPlanes& periodic_planes() {
+  static const Image<V3f> base = random_base({kTile, kTile}, 1);
+  static const EvaluatorPlanes planes = [] {
+    EvaluatorInput input;
+    input.base = base;
+    return prepare(input);
+  }();
+  return planes;
+}
+
+Window bench_window(Filter filter, uint32_t step_256) {
+  Window window;
+  window.origin_x = tile_offset(-777, 100, kTile);
+  window.origin_y = tile_offset(int64_t{1} << 40, 33, kTile);
+  window.step_256 = step_256;
+  window.width = kWidth;
+  window.height = kHeight;
+  window.seed = 1;
+  window.filter = filter;
+  return window;
+}
+
+void draw(benchmark::State& state, const EvaluatorPlanes& planes, Filter filter, uint32_t step_256) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(state.range(0)));
+  const Window window = bench_window(filter, step_256);
+  // By blocks of rows, as a picture is streamed to a file.
+  constexpr int kBlock = 128;
+  for (auto _ : state)
+    for (int j = 0; j < kHeight; j += kBlock) benchmark::DoNotOptimize(render_rows(planes, window, j, j + kBlock));
+  state.SetItemsProcessed(state.iterations() * kWidth * kHeight);
+}
+
+void window_nearest(benchmark::State& state) { draw(state, planes_of(Contents::moved), Filter::nearest, 256); }
+void window_bilinear(benchmark::State& state) { draw(state, planes_of(Contents::moved), Filter::bilinear, 256); }
+void window_bilinear_magnified(benchmark::State& s) { draw(s, planes_of(Contents::moved), Filter::bilinear, 64); }
+void window_bilinear_skipping(benchmark::State& s) { draw(s, planes_of(Contents::moved), Filter::bilinear, 900); }
+void window_bilinear_turned(benchmark::State& state) {
+  draw(state, planes_of(Contents::turned), Filter::bilinear, 256);
+}
+void window_periodic_bilinear(benchmark::State& state) { draw(state, periodic_planes(), Filter::bilinear, 256); }
+BENCHMARK(window_nearest)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK(window_bilinear)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK(window_bilinear_magnified)->Arg(1)->UseRealTime();
+BENCHMARK(window_bilinear_skipping)->Arg(1)->UseRealTime();
+BENCHMARK(window_bilinear_turned)->Arg(1)->UseRealTime();
+BENCHMARK(window_periodic_bilinear)->Arg(1)->UseRealTime();
+
+/// Single points by the shader's own walk: what a renderer of arbitrary geometry calls.
+template <class Point>
+void walk(benchmark::State& state, const EvaluatorPlanes& planes, const Point& point) {
+  glsl::Program program = program_of(planes, 1);
+  const Window window = bench_window(Filter::bilinear, 256);
+  Image<V3f> out(kWidth, kHeight);
+  for (auto _ : state) {
+    for (int j = 0; j < kHeight; ++j)
+      for (int i = 0; i < kWidth; ++i) {
+        const glsl::Position origin{
+            {window.origin_x.tile, window.origin_y.tile},
+            {static_cast<int>(window.origin_x.offset_256), static_cast<int>(window.origin_y.offset_256)}};
+        const glsl::vec4 value = point(
+            program,
+            program.pixel_position(origin, window.step_256, {static_cast<uint32_t>(i), static_cast<uint32_t>(j)}));
+        out(i, j) = {value.x, value.y, value.z};
+      }
+    benchmark::DoNotOptimize(out.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * kWidth * kHeight);
+}
+
+void point_bilinear(benchmark::State& state) {
+  walk(state, planes_of(Contents::moved), [](glsl::Program& program, const glsl::Position& at) {
+    return program.footprint_value(program.base, program.footprint_at(at));
+  });
+}
+BENCHMARK(point_bilinear);
+
+/// The plain bilinear lookup of a periodic picture: four fetches and three lerps.
+void point_periodic_bilinear(benchmark::State& state) {
+  walk(state, planes_of(Contents::moved), [](glsl::Program& program, const glsl::Position& at) {
+    const glsl::Position corner = program.upper_left_center(at);
+    const glsl::Texel texel = program.texel_at(corner);
+    const glsl::ivec2 p = texel.p, q = program.next_texel(p, program.tile_size);
+    const auto fetch = [&](int x, int y) { return texelFetch(program.base, {x, y}, 0); };
+    return program.bilinear(fetch(p.x, p.y), fetch(q.x, p.y), fetch(p.x, q.y), fetch(q.x, q.y),
+                            {corner.offset.x & 255, corner.offset.y & 255});
+  });
+}
+BENCHMARK(point_periodic_bilinear);
+
+}  // namespace
+}  // namespace texbake
