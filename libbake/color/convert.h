@@ -13,6 +13,7 @@ namespace texbake {
 struct ConvertOptions {
   std::optional<int> classes;  ///< K
   float height_weight = 30;    ///< ΔE per unit height, when a height is given
+  float along_weight = 0.1f;   ///< 0: eq. 1; 1: ordinary K-means
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -27,6 +28,12 @@ struct ConvertOptions {
                                     .min = 0,
                                     .max = 1000,
                                     .help = "weight of the height map among the colour coordinates"});
+    visit(self.along_weight,
+          Field{.name = "along-weight",
+                .min = 0,
+                .max = 1,
+                .help = "weight of the distance along a class's line beside the distance to it: 0 gives the least "
+                        "colour error, more gives compacter classes"});
   }
 };
 
@@ -39,13 +46,18 @@ struct ColorError {
 struct Conversion {
   PrincipalVariation colors;
   ColorError error;
+  ConvertOptions effective;  ///< what `resolve` gives, without the cost of calling it
 };
 
-/// K that `convert` will use is in the result of `resolve`. Throws Error(bad_data) when the exemplar has fewer distinct
-/// colours than `classes`.
-ConvertOptions resolve(const ConvertOptions& options, ImageView<const V3f> exemplar);
+/// The options with K filled in: `convert` gives the same bytes with either. Throws Error(bad_data) when the exemplar
+/// has fewer distinct colours than `classes`; with a height, colours of different height are distinct.
+ConvertOptions resolve(const ConvertOptions& options, ImageView<const V3f> exemplar,
+                       ImageView<const float> height_01 = {});
 
-/// `exemplar` is a tile in linear Rec.709; `height_01` is empty or of the same size.
+/// `exemplar` is a tile in linear Rec.709, not empty; `height_01` is empty or of the same size. The classes are found
+/// on all texels up to 2^18 of them, beyond on a sample; every texel then gets the nearest class, and D_i and V_i are
+/// mean and principal axis of the colours of all its texels. Only with along_weight = 0 can the palette come out
+/// smaller than `classes`: colours on one line are one class.
 Conversion convert(ImageView<const V3f> exemplar, ImageView<const float> height_01, const ConvertOptions& options = {},
                    const Progress& progress = {});
 

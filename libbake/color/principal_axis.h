@@ -1,0 +1,34 @@
+// The direction in which a cloud of points varies most, from its moments. Based on: principal component analysis by
+// cyclic Jacobi rotations (Golub & Van Loan, §8.5), which needs no more than + − × ÷ and sqrt.
+#pragma once
+
+#include <array>
+
+namespace texbake {
+
+inline constexpr int kMaxPointDimension = 4;  ///< L, u*, v* and the weighted height
+using PointD = std::array<double, kMaxPointDimension>;
+using SymmetricMatrix = std::array<PointD, kMaxPointDimension>;
+
+/// Sums over points, from which mean and covariance follow. Coordinates beyond the dimension of the points stay 0.
+struct Moments {
+  double count = 0;
+  PointD sum{};
+  SymmetricMatrix product{};  ///< Σ x_i x_j for j ≤ i; the rest is not used
+
+  void add(const PointD& point, int dimension);
+  void add(const Moments& other);
+  PointD mean() const;                 ///< count > 0
+  SymmetricMatrix covariance() const;  ///< divided by count > 0, full matrix
+};
+
+struct PrincipalAxis {
+  PointD direction{};   ///< unit; its component of largest magnitude is positive. 0 when all points are equal
+  double variance = 0;  ///< along the direction
+  double total = 0;     ///< over all directions
+};
+
+/// Of the first `dimension` coordinates. Variances below 1e-9 are taken for rounding: no direction.
+PrincipalAxis principal_axis(const SymmetricMatrix& covariance, int dimension);
+
+}  // namespace texbake
