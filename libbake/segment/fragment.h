@@ -15,6 +15,7 @@ struct FragmentOptions {
   std::optional<float> threshold;  ///< τ
   std::optional<int> min_area_px;
   std::optional<int> max_area_px;
+  std::optional<float> denoise_px;
   uint32_t seed = 1;
 
   template <class Self, class Visitor>
@@ -37,13 +38,20 @@ struct FragmentOptions {
                                   .max = 1e8,
                                   .help = "a fragment stops growing at this area",
                                   .auto_help = "from the size of the tile"});
+    visit(self.denoise_px, Field{.name = "denoise",
+                                 .unit = "px",
+                                 .min = 0,
+                                 .max = 64,
+                                 .help = "Gaussian that takes the grain out of the picture that decides the borders; "
+                                         "0 grows on the classes as they are",
+                                 .auto_help = "from the size of the tile: 1.5 px at 1024 x 1024"});
     visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the growth order"});
   }
 };
 
 struct Fragment {
   uint32_t class_idx = 0;  ///< colour class of the seed
-  V3f mean_color{0};       ///< mean of the base over the fragment, linear Rec.709
+  V3f mean_color{0};       ///< mean of the base over the fragment, linear Rec.709, half-exact
 };
 
 struct FragmentMap {
@@ -51,10 +59,13 @@ struct FragmentMap {
   std::vector<Fragment> fragments;  ///< one for each shape of the partition
 };
 
-/// The options with every automatic value replaced by the one that `fragment` will use: what provenance records.
+/// The options with every automatic value replaced by the one that `fragment` will use: what provenance records. Throws
+/// Error(usage) where the smallest area is above the largest.
 FragmentOptions resolve(const FragmentOptions& options, const PrincipalVariation& colors);
 
-/// Grows and cleans fragments on the torus. `base` is the picture behind `colors`, same size, linear Rec.709.
+/// Grows and cleans fragments on the torus (grow.h, clean.h), numbered by their first texel in row order; none wider or
+/// higher than a quarter of the tile. `base` is the picture behind `colors`, same size, linear Rec.709. Throws
+/// Error(infeasible) for a tile of less than 3 texels on an axis: no shape is under half of it.
 FragmentMap fragment(const PrincipalVariation& colors, ImageView<const V3f> base, const FragmentOptions& options = {},
                      const Progress& progress = {});
 

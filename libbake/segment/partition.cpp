@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "libbake/base/error.h"
+#include "libbake/segment/neighbours.h"
 
 namespace texbake {
 namespace {
@@ -30,15 +31,6 @@ struct Extent {
     return {static_cast<int>(rounded_mean(sum_x, count)), static_cast<int>(rounded_mean(sum_y, count))};
   }
 };
-
-V2i texel_of(size_t at, V2i size) {
-  const auto width = static_cast<size_t>(size.x);
-  return {static_cast<int>(at % width), static_cast<int>(at / width)};
-}
-
-size_t at_of(V2i p, V2i size) {
-  return static_cast<size_t>(p.y) * static_cast<size_t>(size.x) + static_cast<size_t>(p.x);
-}
 
 /// Areas of the shapes 0 … max; throws where one is empty.
 std::vector<uint32_t> areas_of(const Image<uint32_t>& idx) {
@@ -75,7 +67,7 @@ Extent flood(const Image<uint32_t>& idx, size_t start, Image<OwnerOffset>& tile,
     for (int n = 0; n < 4; ++n) {
       const V2i p(queue[head].position.x + kNeighbourX[n], queue[head].position.y + kNeighbourY[n]);
       const V2i q = wrap(p, size);
-      const size_t at = at_of(q, size);
+      const size_t at = position_of(q, size);
       if (visited[at] || idx.data()[at] != shape) continue;
       visited[at] = 1;
       extent.add(p);
