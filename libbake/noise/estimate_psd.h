@@ -1,0 +1,127 @@
+// The noises of a decomposed exemplar: a spectrum, a colour space, a histogram and a periodic tile for each mask.
+// Based on: Guingo et al. 2017, §3.3 and §6.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "libbake/base/options.h"
+#include "libbake/base/progress.h"
+#include "libbake/base/torus.h"
+#include "libbake/noise/color_basis.h"
+#include "libbake/noise/equalisation.h"
+#include "libbake/noise/lobes.h"
+#include "libbake/noise/spectrum.h"
+
+namespace texbake {
+
+/// The most noises of one exemplar: their masks fit one texel of four channels.
+inline constexpr int kMaxNoises = 4;
+
+enum class NoiseHistogram {
+  exemplar,  ///< each channel is given the histogram it has in the exemplar
+  gaussian,  ///< left as the phases make it
+};
+template <>
+struct EnumNames<NoiseHistogram> {
+  static constexpr std::pair<NoiseHistogram, std::string_view> values[] = {{NoiseHistogram::exemplar, "exemplar"},
+                                                                           {NoiseHistogram::gaussian, "gaussian"}};
+};
+
+struct EstimatePsdOptions {
+  int spectrum_size = 64;  ///< T, a power of two
+  SpectrumEstimator estimator = SpectrumEstimator::autocovariance;
+  float core_share = 0.9f;
+  std::optional<int> local_size;  ///< T_loc of decompose; 8 when not set
+  NoiseHistogram histogram = NoiseHistogram::exemplar;
+  int tile_size = 512;  ///< texels, a power of two
+  int lobes = 3;
+  float lobe_error = 0.15f;
+  uint32_t seed = 1;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.spectrum_size,
+          Field{.name = "spectrum-size",
+                .unit = "texels",
+                .min = 4,
+                .max = 256,
+                .help = "side T of a spectrum, a power of two; halved where a mask is too small for it"});
+    visit(self.estimator,
+          Field{.name = "estimator", .help = "autocovariance: over the whole tile, least error; windows: the paper's"});
+    visit(self.core_share, Field{.name = "core-share",
+                                 .min = 0.1,
+                                 .max = 1,
+                                 .help = "share of a mask, closest to its mean spectrum, that is measured"});
+    visit(self.local_size, Field{.name = "local-size",
+                                 .unit = "texels",
+                                 .min = 2,
+                                 .max = 16,
+                                 .help = "side of the local spectra that say what is close: 2, 4, 8 or 16",
+                                 .auto_help = "that of decompose"});
+    visit(self.histogram, Field{.name = "histogram", .help = "exemplar: equalised to the exemplar's; gaussian: not"});
+    visit(self.tile_size, Field{.name = "noise-tile",
+                                .unit = "texels",
+                                .min = 512,
+                                .max = 4096,
+                                .help = "side of the periodic noise tiles, a power of two"});
+    visit(self.lobes, Field{.name = "lobes",
+                            .min = 0,
+                            .max = 6,
+                            .help = "Gaussian lobes of the compact spectrum of a channel; 0: no compact spectrum"});
+    visit(self.lobe_error, Field{.name = "lobe-error",
+                                 .min = 0,
+                                 .max = 1,
+                                 .help = "a compact spectrum is kept up to this relative error of its magnitudes"});
+    visit(self.seed, Field{.name = "noise-seed", .min = 0, .max = 4294967295.0, .help = "seed of the random phases"});
+  }
+};
+
+/// One colour channel of a noise, along one axis of its colour space.
+struct NoiseChannel {
+  Image<float> spectrum;      ///< T×T magnitudes: Σ S² is the variance
+  LobeFit lobes;              ///< no lobes where the fit was worse than `lobe_error`; the error is kept
+  Equalisation equalisation;  ///< relative to the mean; used where options.histogram says so
+};
+
+/// What was measured of one noise.
+struct NoiseFigures {
+  int64_t texels = 0;                   ///< of its mask that were measured
+  double used_share = 1;                ///< of these, share that the estimator used
+  std::array<double, 3> variance = {};  ///< of its channels inside the mask
+  std::array<double, 3> excess_kurtosis = {};
+  double tile_difference_db = 0;   ///< of the spectrum of the stored tile's first channel to the model's
+  double tile_variance_ratio = 1;  ///< of the stored tile's first channel to the model's
+};
+
+struct Noise {
+  ColorBasis basis;  ///< its mean is the mean of the noise inside the mask
+  std::array<NoiseChannel, 3> channels;
+  Image<V3f> tile;  ///< linear Rec.709, half-exact, the mean included, equalised where options say so
+  NoiseFigures figures;
+
+  int spectrum_size() const { return channels[0].spectrum.width(); }
+};
+
+struct NoiseModel {
+  std::vector<Noise> noises;          ///< one for each mask
+  std::vector<std::string> warnings;  ///< fall-backs, in words
+};
+
+/// exemplar − structure.
+Image<V3f> noise_layer(ImageView<const V3f> exemplar, ImageView<const V3f> structure);
+
+/// `exemplar` and `structure` in linear Rec.709, tiles of one size; `masks` as decompose makes them. A mask in which
+/// the noise is zero gets a zero spectrum and a zero tile. Throws Error(bad_data) for masks or sizes that do not fit,
+/// Error(infeasible) for a mask that is too small for any spectrum.
+NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> structure,
+                        std::span<const Image<float>> masks, const EstimatePsdOptions& options = {},
+                        const Progress& progress = {});
+
+/// Σ_k mask_k(x) · tile_k(x mod tile), without rounding: the noise layer of the exemplar, made again.
+Image<V3f> synthesise_noise(const NoiseModel& model, std::span<const Image<float>> masks);
+
+}  // namespace texbake

@@ -1,0 +1,265 @@
+// Clusters are found on a lattice of texels (neighbouring spectra are nearly equal), then every texel is assigned.
+#include "libbake/noise/masks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "libbake/base/error.h"
+#include "libbake/base/parallel.h"
+#include "libbake/noise/lanes.h"
+
+namespace texbake {
+namespace {
+
+constexpr int kBandRows = 32;
+
+/// Calls body(features, y) for every row y of the image.
+template <class Body>
+void for_each_row(const GrainFeatures& features, int height, const Body& body) {
+  parallel_for(0, (height + kBandRows - 1) / kBandRows, [&](int band) {
+    const int begin = band * kBandRows;
+    const int end = std::min(begin + kBandRows, height);
+    const SpectraRows rows = features.rows(begin, end);
+    for (int y = begin; y < end; ++y) body(rows, y);
+  });
+}
+
+/// ‖f(x) − centre‖² of four texels from x.
+Lanes squared_distances(const SpectraRows& features, int y, int x, const float* centre) {
+  Lanes sum{};
+  const float* in = features.row(y, 0) + x;
+  for (int d = 0; d < features.bins(); ++d, in += features.stride()) {
+    const Lanes difference = load_lanes(in) - splat(centre[d]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+void assign_binary(const SpectraRows& features, int y, const Vectors& centres, std::vector<Image<float>>& masks) {
+  const int width = masks.front().width();
+  for (int x = 0; x < width; x += kLanes) {
+    LaneBits nearest{};
+    Lanes least = squared_distances(features, y, x, centres.row(0));
+    for (int k = 1; k < centres.count(); ++k) {
+      const Lanes squared = squared_distances(features, y, x, centres.row(k));
+      const LaneBits closer = squared < least;
+      least = closer ? squared : least;
+      nearest = closer ? LaneBits{k, k, k, k} : nearest;
+    }
+    for (int i = 0; i < kLanes && x + i < width; ++i) masks[static_cast<size_t>(nearest[i])](x + i, y) = 1.0f;
+  }
+}
+
+/// Orthonormal axes of the affine hull of the centres, and the centres in them. Origin: centre 0.
+struct Hull {
+  explicit Hull(const Vectors& centres) : axes(centres.count() - 1, centres.dimensions()) {
+    for (int k = 1; k < centres.count(); ++k) {
+      std::vector<double> axis(static_cast<size_t>(centres.dimensions()));
+      for (size_t d = 0; d < axis.size(); ++d)
+        axis[d] = static_cast<double>(centres.row(k)[d]) - static_cast<double>(centres.row(0)[d]);
+      // Gram and Schmidt; an axis that the earlier ones already span stays zero.
+      const double length_before = std::sqrt(std::inner_product(axis.begin(), axis.end(), axis.begin(), 0.0));
+      for (int j = 0; j < k - 1; ++j) {
+        double dot = 0.0;
+        for (size_t d = 0; d < axis.size(); ++d) dot += axis[d] * static_cast<double>(axes.row(j)[d]);
+        for (size_t d = 0; d < axis.size(); ++d) axis[d] -= dot * static_cast<double>(axes.row(j)[d]);
+      }
+      const double length = std::sqrt(std::inner_product(axis.begin(), axis.end(), axis.begin(), 0.0));
+      if (length > 1e-4 * length_before)
+        for (size_t d = 0; d < axis.size(); ++d) axes.row(k - 1)[d] = static_cast<float>(axis[d] / length);
+    }
+    for (int k = 0; k < centres.count(); ++k) {
+      std::vector<float> place(static_cast<size_t>(axes.count()));
+      for (int j = 0; j < axes.count(); ++j)
+        for (int d = 0; d < centres.dimensions(); ++d)
+          place[static_cast<size_t>(j)] += (centres.row(k)[d] - centres.row(0)[d]) * axes.row(j)[d];
+      centre_places.push_back(std::move(place));
+    }
+  }
+  Vectors axes;
+  std::vector<std::vector<float>> centre_places;
+};
+
+/// M_k ∝ 1/d_k², d_k the distance to centre k inside the affine hull of the centres.
+void assign_soft(const SpectraRows& features, int y, const Vectors& centres, const Hull& hull,
+                 std::vector<Image<float>>& masks) {
+  const int width = masks.front().width();
+  const auto count = static_cast<size_t>(centres.count());
+  std::vector<Lanes> place(count - 1);
+  std::vector<double> weights(count);
+  std::vector<float> quantised(count);
+  for (int x = 0; x < width; x += kLanes) {
+    for (int j = 0; j < hull.axes.count(); ++j) {
+      Lanes sum{};
+      const float* in = features.row(y, 0) + x;
+      for (int d = 0; d < features.bins(); ++d, in += features.stride())
+        sum += (load_lanes(in) - splat(centres.row(0)[d])) * hull.axes.row(j)[d];
+      place[static_cast<size_t>(j)] = sum;
+    }
+    for (int i = 0; i < kLanes && x + i < width; ++i) {
+      for (size_t k = 0; k < count; ++k) {
+        double squared = 1e-12;  // at a centre itself its weight is all
+        for (size_t j = 0; j + 1 < count; ++j) {
+          const double difference = static_cast<double>(place[j][i]) - static_cast<double>(hull.centre_places[k][j]);
+          squared += difference * difference;
+        }
+        weights[k] = 1.0 / squared;
+      }
+      quantise_weights(weights, quantised);
+      for (size_t k = 0; k < count; ++k) masks[k](x + i, y) = quantised[k];
+    }
+  }
+}
+
+/// The mean features of the texels of each strongest mask, from the texels of a lattice; empty where it has none there.
+std::vector<std::vector<float>> mean_features(const GrainFeatures& features, const Image<uint8_t>& strongest,
+                                              size_t masks) {
+  const Vectors& samples = features.samples();
+  const auto dimensions = static_cast<size_t>(features.dimensions());
+  std::vector<std::vector<double>> sum(masks, std::vector<double>(dimensions));
+  std::vector<int> count(masks);
+  for (int i = 0; i < samples.count(); ++i) {
+    const V2i place = features.sample_place(i);
+    const size_t k = strongest(place.x, place.y);
+    ++count[k];
+    for (size_t d = 0; d < dimensions; ++d) sum[k][d] += static_cast<double>(samples.row(i)[d]);
+  }
+  std::vector<std::vector<float>> mean(masks);
+  for (size_t k = 0; k < masks; ++k)
+    for (size_t d = 0; d < dimensions && count[k] > 0; ++d) mean[k].push_back(static_cast<float>(sum[k][d] / count[k]));
+  return mean;
+}
+
+/// The distance that `share` of the texels of label k do not exceed.
+float distance_of_share(const Image<float>& distance, const Image<uint8_t>& label, size_t k, double share) {
+  std::vector<float> own;
+  for (size_t i = 0; i < label.size(); ++i)
+    if (label.data()[i] == k) own.push_back(distance.data()[i]);
+  if (own.empty()) return 0.0f;
+  const auto rank = static_cast<size_t>(share * static_cast<double>(own.size() - 1));
+  std::nth_element(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(rank), own.end());
+  return own[rank];
+}
+
+}  // namespace
+
+void quantise_weights(std::span<const double> weights, std::span<float> quantised) {
+  constexpr size_t kMost = 64;
+  assert(weights.size() == quantised.size() && weights.size() <= kMost);
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  std::array<int, kMost> steps;
+  std::array<double, kMost> remainder;
+  int left = kMaskSteps;
+  for (size_t k = 0; k < weights.size(); ++k) {
+    const double exact = weights[k] / total * kMaskSteps;
+    steps[k] = static_cast<int>(std::floor(exact));
+    remainder[k] = exact - steps[k];
+    left -= steps[k];
+  }
+  for (; left > 0; --left) {
+    const auto largest = std::max_element(remainder.begin(), remainder.begin() + weights.size());
+    ++steps[static_cast<size_t>(largest - remainder.begin())];
+    *largest = -1.0;
+  }
+  for (size_t k = 0; k < weights.size(); ++k) quantised[k] = static_cast<float>(steps[k]) / kMaskSteps;
+}
+
+void check_masks(std::span<const Image<float>> masks) {
+  if (masks.empty()) throw Error(ErrorKind::bad_data, "masks: expected at least one, found none");
+  for (const Image<float>& mask : masks)
+    if (!same_size(mask, masks.front()))
+      throw Error(ErrorKind::bad_data,
+                  fmt::format("masks: expected planes of one size, found {} x {} and {} x {}", masks.front().width(),
+                              masks.front().height(), mask.width(), mask.height()));
+  const int width = masks.front().width();
+  for (size_t i = 0; i < masks.front().size(); ++i) {
+    const int x = static_cast<int>(i) % width;
+    const int y = static_cast<int>(i) / width;
+    double sum = 0.0;
+    for (size_t k = 0; k < masks.size(); ++k) {
+      const double weight = static_cast<double>(masks[k].data()[i]);
+      const double steps = weight * kMaskSteps;
+      if (!(weight >= 0.0) || steps != std::floor(steps))
+        throw Error(ErrorKind::bad_data,
+                    fmt::format("mask {}, texel ({}, {}): expected a multiple of 1/{} ≥ 0, found {}", k, x, y,
+                                kMaskSteps, weight));
+      sum += weight;
+    }
+    if (sum != 1.0)
+      throw Error(ErrorKind::bad_data,
+                  fmt::format("masks, texel ({}, {}): expected weights that sum to 1, found {}", x, y, sum));
+  }
+}
+
+Vectors cluster_grain(const GrainFeatures& features, int noises, uint32_t seed) {
+  const Clustering found = k_means(features.samples(), {.clusters = noises, .restarts = 5, .seed = seed});
+  std::vector<int> order(static_cast<size_t>(noises));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return features.luminance_of(found.centres.row(a)) < features.luminance_of(found.centres.row(b));
+  });
+  Vectors centres(noises, features.dimensions());
+  for (int k = 0; k < noises; ++k)
+    std::copy_n(found.centres.row(order[static_cast<size_t>(k)]), centres.stride(), centres.row(k));
+  return centres;
+}
+
+std::vector<Image<float>> assign_masks(const GrainFeatures& features, const Vectors& centres, MaskKind kind) {
+  std::vector<Image<float>> masks;
+  for (int k = 0; k < centres.count(); ++k) masks.emplace_back(features.width(), features.height());
+  const Hull hull(centres);
+  for_each_row(features, features.height(), [&](const SpectraRows& rows, int y) {
+    if (kind == MaskKind::binary)
+      assign_binary(rows, y, centres, masks);
+    else
+      assign_soft(rows, y, centres, hull, masks);
+  });
+  return masks;
+}
+
+Image<uint8_t> strongest_mask(std::span<const Image<float>> masks) {
+  Image<uint8_t> strongest(masks.front().width(), masks.front().height());
+  for (size_t i = 0; i < strongest.size(); ++i) {
+    size_t best = 0;
+    for (size_t k = 1; k < masks.size(); ++k)
+      if (masks[k].data()[i] > masks[best].data()[i]) best = k;
+    strongest.data()[i] = static_cast<uint8_t>(best);
+  }
+  return strongest;
+}
+
+std::vector<Image<uint8_t>> cluster_cores(const GrainFeatures& features, std::span<const Image<float>> masks,
+                                          double share) {
+  const Image<uint8_t> strongest = strongest_mask(masks);
+  const std::vector<std::vector<float>> centres = mean_features(features, strongest, masks.size());
+
+  // Distance of each texel to the centre of its own cluster.
+  Image<float> distance(strongest.width(), strongest.height());
+  for_each_row(features, features.height(), [&](const SpectraRows& rows, int y) {
+    for (int x = 0; x < strongest.width(); x += kLanes)
+      for (size_t k = 0; k < masks.size(); ++k) {
+        bool present = false;
+        for (int i = 0; i < kLanes && x + i < strongest.width(); ++i) present = present || strongest(x + i, y) == k;
+        if (!present || centres[k].empty()) continue;
+        const Lanes squared = squared_distances(rows, y, x, centres[k].data());
+        for (int i = 0; i < kLanes && x + i < strongest.width(); ++i)
+          if (strongest(x + i, y) == k) distance(x + i, y) = squared[i];
+      }
+  });
+
+  std::vector<Image<uint8_t>> cores;
+  for (size_t k = 0; k < masks.size(); ++k) {
+    const float most = distance_of_share(distance, strongest, k, share);
+    Image<uint8_t> core(strongest.width(), strongest.height());
+    for (size_t i = 0; i < core.size(); ++i)
+      core.data()[i] = strongest.data()[i] == k && distance.data()[i] <= most ? 1 : 0;
+    cores.push_back(std::move(core));
+  }
+  return cores;
+}
+
+}  // namespace texbake

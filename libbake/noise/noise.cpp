@@ -1,1 +1,0 @@
-#include "libbake/base/image.h"
