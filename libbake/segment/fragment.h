@@ -12,10 +12,10 @@
 namespace texbake {
 
 struct FragmentOptions {
-  std::optional<float> threshold;  ///< τ
-  std::optional<int> min_area_px;
-  std::optional<int> max_area_px;
-  std::optional<float> denoise_px;
+  std::optional<float> threshold{};  ///< τ
+  std::optional<int> min_area_px{};
+  std::optional<int> max_area_px{};
+  std::optional<float> denoise_px{};
   uint32_t seed = 1;
 
   template <class Self, class Visitor>

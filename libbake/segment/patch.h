@@ -26,11 +26,26 @@ struct PatchMap {
   Partition partition;
 };
 
+/// 16 patches, fewer where there are less than four fragments for each, but not below nine, nor above one for each.
 PatchOptions resolve(const PatchOptions& options, const FragmentMap& fragments);
 
-/// Packs circles on the torus and clusters the fragments that lie in them, so that patches are connected, of similar
-/// area, and some lie across the tile's borders and corner. Throws Error(infeasible) when there are fewer fragments
-/// than patches, or when no partition with patches under half the tile on each axis exists.
+/// Packs circles on the torus, the first over the corner of the tile, and clusters the fragments that lie in them, so
+/// that patches are connected, of similar area and under half the tile on each axis; then moves single fragments across
+/// their borders, towards equal areas and high contrast. Patches are numbered by their first texel in row order. Throws
+/// Error(infeasible) when there are fewer fragments than patches, for fewer than five patches, and when several
+/// packings give no such clusters.
 PatchMap patch(const FragmentMap& fragments, const PatchOptions& options = {}, const Progress& progress = {});
+
+/// How even the patches are, and how many hide the borders of the tile.
+struct PatchQuality {
+  double area_variation = 0;  ///< standard deviation of the areas divided by their mean
+  uint32_t min_area_px = 0;
+  uint32_t max_area_px = 0;
+  int across_border = 0;          ///< patches with texels on both sides of a border of the tile
+  bool is_across_corner = false;  ///< one patch holds all four texels around the corner
+  double border_delta_e = 0;      ///< mean over the borders of patches, between the fragments on their two sides
+  double fragment_delta_e = 0;    ///< the same over all borders of fragments: what chance would give
+};
+PatchQuality patch_quality(const PatchMap& patches, const FragmentMap& fragments);
 
 }  // namespace texbake

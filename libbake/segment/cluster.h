@@ -1,0 +1,62 @@
+// Clusters of fragments that are connected and unwrap to under half the tile: patches while they are being made.
+#pragma once
+
+#include <optional>
+
+#include "libbake/segment/circle_packing.h"
+#include "libbake/segment/fragment_graph.h"
+
+namespace texbake {
+
+class Clusters {
+ public:
+  static constexpr uint32_t kNone = 0xffffffffu;
+
+  /// Begins with one fragment in each cluster, its anchor, which never leaves.
+  Clusters(const FragmentMap& map, const FragmentGraph& graph, std::vector<uint32_t> anchors);
+
+  size_t count() const { return anchors_.size(); }
+  uint32_t of(uint32_t fragment) const { return cluster_of_[fragment]; }
+  uint64_t area_px(uint32_t cluster) const { return areas_[cluster]; }
+  bool is_anchor(uint32_t fragment) const { return anchors_[cluster_of_[fragment]] == fragment; }
+
+  /// Whether the cluster would stay under half the tile with the fragment. For fragments that touch it.
+  bool fits(uint32_t fragment, uint32_t cluster) const;
+  void join(uint32_t fragment, uint32_t cluster);
+  void leave(uint32_t fragment);
+  /// Whether the cluster would certainly stay connected without the fragment: what it touches there hangs together near
+  /// by.
+  bool stays_connected_without(uint32_t fragment) const;
+  /// Shrinks the bounding boxes after fragments have left.
+  void tighten();
+
+ private:
+  /// A bounding box in the plane, relative to the first texel of the anchor's box.
+  struct Box {
+    V2i low, high;
+  };
+  Box box_of(uint32_t fragment, uint32_t cluster) const;
+  static Box joined(const Box& a, const Box& b);
+
+  const FragmentMap& map_;
+  const FragmentGraph& graph_;
+  std::vector<uint32_t> anchors_;
+  std::vector<uint32_t> cluster_of_;  // of each fragment
+  std::vector<uint64_t> areas_;       // of each cluster
+  std::vector<Box> boxes_;
+};
+
+/// Grows clusters from the circles, one for each: always the free fragment of least squared distance minus power that
+/// touches its cluster and fits. Cluster 0 begins with the fragments around the corner of the tile. Nothing where
+/// fragments remain that fit nowhere.
+std::optional<Clusters> cluster_fragments(const FragmentMap& map, const FragmentGraph& graph,
+                                          const CirclePacking& packing);
+
+/// Moves single fragments between touching clusters while that lowers
+///   Σ ((area / mean area − 1)²) · balance + Σ over the borders of clusters of (length / sqrt(mean area)) / (1 + ΔE /
+///   mean ΔE):
+/// similar areas and short borders, which may be longer where the contrast is higher. At most `passes` passes.
+void refine(Clusters& clusters, const FragmentMap& map, const FragmentGraph& graph, double balance = 6,
+            int passes = 30);
+
+}  // namespace texbake
