@@ -69,7 +69,7 @@ std::vector<Moments> assign_texels(const PointSource& source, const std::vector<
       assign_to_lines(row.data(), row.dimension, row.size(), lines, along_weight, index.row(y));
       for (int x = 0; x < index.width(); ++x) {
         const PointF p = row.point(x);
-        partial[static_cast<size_t>(i)][index(x, y)].add({p[0], p[1], p[2], 0}, 3);
+        partial[static_cast<size_t>(i)][index(x, y)].add<3>({p[0], p[1], p[2], 0});
       }
     }
   });

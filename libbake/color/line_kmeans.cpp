@@ -13,31 +13,50 @@ constexpr int kBlock = 4096;      // points whose moments are summed by one task
 constexpr int kLane = 512;        // points whose running minima stay in the first cache level
 constexpr float kNoCost = 1e-6f;  // (0.001 ΔE)²: the point lies on its class
 
-// Running minima over the lines, for up to kLane points. D is known when compiled, so that the loops vectorise.
+// r² + w t² with D known when compiled, so that loops over points unroll the coordinates and vectorise.
 template <int D>
-void assign_lane(const std::array<const float*, 4>& coordinates, int count, std::span<const ColorLine> lines,
-                 float along_weight, uint8_t* labels) {
+float cost(const float* const (&coordinates)[4], int i, const ColorLine& line, float keep) {
+  float squared = 0, along = 0;
+  for (size_t c = 0; c < D; ++c) {
+    const float difference = coordinates[c][i] - line.point[c];
+    squared += difference * difference;
+    along += difference * line.direction[c];
+  }
+  return squared - keep * (along * along);
+}
+
+// Running minima over the lines, for up to kLane points. The choice is made with masks: a branch would not vectorise.
+template <int D>
+void assign_lane(const float* const (&coordinates)[4], int count, std::span<const ColorLine> lines, float along_weight,
+                 uint8_t* labels) {
   float least[kLane];
   int32_t nearest[kLane];
-  std::fill_n(least, count, std::numeric_limits<float>::infinity());
-  std::fill_n(nearest, count, 0);
   const float keep = 1 - along_weight;
-  for (size_t k = 0; k < lines.size(); ++k) {
-    const PointF point = lines[k].point, direction = lines[k].direction;
+  for (int i = 0; i < count; ++i) {
+    least[i] = cost<D>(coordinates, i, lines[0], keep);
+    nearest[i] = 0;
+  }
+  for (size_t k = 1; k < lines.size(); ++k) {
+    const ColorLine line = lines[k];
     const auto label = static_cast<int32_t>(k);
     for (int i = 0; i < count; ++i) {
-      float squared = 0, along = 0;
-      for (size_t c = 0; c < D; ++c) {
-        const float difference = coordinates[c][i] - point[c];
-        squared += difference * difference;
-        along += difference * direction[c];
-      }
-      const float cost = squared - keep * (along * along);
-      nearest[i] = cost < least[i] ? label : nearest[i];
-      least[i] = cost < least[i] ? cost : least[i];
+      const float candidate = cost<D>(coordinates, i, line, keep);
+      const int32_t closer = -static_cast<int32_t>(candidate < least[i]);
+      nearest[i] = (label & closer) | (nearest[i] & ~closer);
+      least[i] = candidate < least[i] ? candidate : least[i];
     }
   }
   for (int i = 0; i < count; ++i) labels[i] = static_cast<uint8_t>(nearest[i]);
+}
+
+template <int D>
+void add_block(const PointSet& points, const std::vector<uint8_t>& labels, int block, std::vector<Moments>& moments) {
+  const std::array<const float*, 4> coordinates = points.data();
+  for (int i = block * kBlock; i < std::min(points.size(), (block + 1) * kBlock); ++i) {
+    PointD point{};
+    for (size_t c = 0; c < D; ++c) point[c] = coordinates[c][i];
+    moments[labels[static_cast<size_t>(i)]].add<D>(point);
+  }
 }
 
 // The moments of every class, summed block by block in the order of the points.
@@ -45,12 +64,8 @@ std::vector<Moments> class_moments(const PointSet& points, const std::vector<uin
   const int blocks = (points.size() + kBlock - 1) / kBlock;
   std::vector<std::vector<Moments>> partial(static_cast<size_t>(blocks), std::vector<Moments>(classes));
   parallel_for(0, blocks, [&](int block) {
-    const int end = std::min(points.size(), (block + 1) * kBlock);
-    for (int i = block * kBlock; i < end; ++i) {
-      const PointF p = points.point(i);
-      partial[static_cast<size_t>(block)][labels[static_cast<size_t>(i)]].add({p[0], p[1], p[2], p[3]},
-                                                                              points.dimension);
-    }
+    const auto add = points.dimension == 3 ? add_block<3> : add_block<4>;
+    add(points, labels, block, partial[static_cast<size_t>(block)]);
   });
   std::vector<Moments> moments(classes);
   for (const auto& block : partial)
@@ -119,7 +134,7 @@ Fit fit_lines(const std::vector<Moments>& moments, const std::vector<ColorLine>&
 void assign_to_lines(const std::array<const float*, 4>& coordinates, int dimension, int count,
                      std::span<const ColorLine> lines, float along_weight, uint8_t* labels) {
   for (int begin = 0; begin < count; begin += kLane) {
-    std::array<const float*, 4> lane{};
+    const float* lane[4] = {};
     for (size_t c = 0; c < static_cast<size_t>(dimension); ++c) lane[c] = coordinates[c] + begin;
     const int size = std::min(kLane, count - begin);
     if (dimension == 3)

@@ -21,6 +21,7 @@ struct Leaf {
     count += other.count;
     for (size_t c = 0; c < sum.size(); ++c) sum[c] += other.sum[c];
   }
+  std::array<double, 4> mean() const { return {sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count}; }
 };
 
 // Consecutive leaves below one node.
@@ -63,21 +64,20 @@ Cube bounding_cube(const PointSet& points, float lightness_scale) {
 }
 
 std::vector<Leaf> finest_leaves(const PointSet& points, const Cube& cube) {
-  std::vector<Leaf> leaves(static_cast<size_t>(points.size()));
-  for (int i = 0; i < points.size(); ++i) {
-    const PointF point = points.point(i);
-    Leaf& leaf = leaves[static_cast<size_t>(i)];
-    leaf = {.path = cube.path(point, points.dimension), .count = 1, .sum = {}};
-    for (size_t c = 0; c < point.size(); ++c) leaf.sum[c] = point[c];
+  std::vector<uint64_t> path_and_point;
+  for (int i = 0; i < points.size(); ++i)
+    path_and_point.push_back(static_cast<uint64_t>(cube.path(points.point(i), points.dimension)) << 32 |
+                             static_cast<uint32_t>(i));
+  std::sort(path_and_point.begin(), path_and_point.end());
+  std::vector<Leaf> leaves;
+  for (const uint64_t key : path_and_point) {
+    const auto path = static_cast<uint32_t>(key >> 32);
+    if (leaves.empty() || leaves.back().path != path) leaves.push_back({.path = path, .count = 0, .sum = {}});
+    const PointF point = points.point(static_cast<int>(key & 0xffffffff));
+    leaves.back().count += 1;
+    for (size_t c = 0; c < point.size(); ++c) leaves.back().sum[c] += point[c];
   }
-  std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) { return a.path < b.path; });
-  std::vector<Leaf> merged;
-  for (const Leaf& leaf : leaves)
-    if (!merged.empty() && merged.back().path == leaf.path)
-      merged.back().add(leaf);
-    else
-      merged.push_back(leaf);
-  return merged;
+  return leaves;
 }
 
 // The nodes above `leaves` whose paths share all but the lowest `bits` bits, those of fewest texels first.
@@ -107,27 +107,25 @@ void reduce_level(std::vector<Leaf>& leaves, int bits, size_t enough) {
   std::erase_if(leaves, [](const Leaf& leaf) { return leaf.count == 0; });
 }
 
-// By how much the squared error grows when two leaves become one.
-double merge_cost(const Leaf& a, const Leaf& b, const std::array<float, 4>& scale) {
-  double squared = 0;
-  for (size_t c = 0; c < a.sum.size(); ++c) {
-    const double difference = scale[c] * (a.sum[c] / a.count - b.sum[c] / b.count);
-    squared += difference * difference;
-  }
-  return squared * a.count * b.count / (a.count + b.count);
-}
-
-// Makes one of the two leaves that are cheapest to merge.
+// Makes one of the two leaves whose union adds least squared error, the first pair of equals.
 void merge_cheapest(std::vector<Leaf>& leaves, const std::array<float, 4>& scale) {
+  std::vector<std::array<double, 4>> means;
+  for (const Leaf& leaf : leaves) means.push_back(leaf.mean());
   double least = std::numeric_limits<double>::infinity();
   size_t first = 0, second = 1;
   for (size_t i = 0; i < leaves.size(); ++i)
-    for (size_t j = i + 1; j < leaves.size(); ++j)
-      if (const double cost = merge_cost(leaves[i], leaves[j], scale); cost < least) {
-        least = cost;
-        first = i;
-        second = j;
+    for (size_t j = i + 1; j < leaves.size(); ++j) {
+      double squared = 0;
+      for (size_t c = 0; c < scale.size(); ++c) {
+        const double difference = scale[c] * (means[i][c] - means[j][c]);
+        squared += difference * difference;
       }
+      const double cost = squared * leaves[i].count * leaves[j].count / (leaves[i].count + leaves[j].count);
+      if (cost >= least) continue;
+      least = cost;
+      first = i;
+      second = j;
+    }
   leaves[first].add(leaves[second]);
   leaves.erase(leaves.begin() + static_cast<std::ptrdiff_t>(second));
 }
@@ -144,9 +142,9 @@ std::vector<PointF> octree_quantize(const PointSet& points, int count, float lig
 
   std::vector<PointF> means;
   for (const Leaf& leaf : leaves) {
-    PointF mean{};
-    for (size_t c = 0; c < mean.size(); ++c) mean[c] = static_cast<float>(leaf.sum[c] / leaf.count);
-    means.push_back(mean);
+    const std::array<double, 4> mean = leaf.mean();
+    means.push_back({static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2]),
+                     static_cast<float>(mean[3])});
   }
   return means;
 }

@@ -6,7 +6,7 @@
 
 namespace texbake {
 
-/// Means of at most `count` (1 … 64) groups of points, all different; exactly `count` when the points fall into so many
+/// Means of at most `count` (1 … 64) disjoint groups of points; exactly `count` when the points fall into so many
 /// cells of the finest level (1/256 of the longest extent). Nodes are reduced deepest first, fewest texels first, while
 /// there are many; the last are merged in pairs, those first that add least squared error. Reducing whole nodes to the
 /// end would leave the octants of the bounding cube, whatever the scale. Lightness is multiplied by

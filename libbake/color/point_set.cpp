@@ -51,7 +51,8 @@ PointSet sample(const PointSource& source, int max_count) {
   const int width = source.exemplar.width(), height = source.exemplar.height();
   const double texels = static_cast<double>(width) * height;
   const double step = std::max(1.0, std::sqrt(texels / max_count));
-  const int columns = std::max(1, static_cast<int>(width / step)), rows = std::max(1, static_cast<int>(height / step));
+  const int first_guess = std::max(1, static_cast<int>(width / step));
+  const int rows = std::clamp(max_count / first_guess, 1, height), columns = std::clamp(max_count / rows, 1, width);
 
   PointSet points{.dimension = source.dimension(), .coordinates = {}};
   points.resize(columns * rows);

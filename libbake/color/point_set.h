@@ -36,8 +36,8 @@ struct PointSource {
   PointF point(int x, int y) const;
 };
 
-/// At most about `max_count` points, one from each square cell of a grid at a seeded place in the cell, so that neither
-/// stripes nor weaves beat with the grid; all texels in row order when they are no more than `max_count`.
+/// At most `max_count` points, one from each cell of a grid at a seeded place in the cell, so that neither stripes nor
+/// weaves beat with the grid; all texels in row order when they are no more than `max_count`.
 PointSet sample(const PointSource& source, int max_count);
 
 /// The different points in row order, at most `limit`: fewer than `limit` are all there are.

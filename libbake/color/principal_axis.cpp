@@ -37,14 +37,6 @@ void fix_sign(PointD& direction) {
 
 }  // namespace
 
-void Moments::add(const PointD& point, int dimension) {
-  count += 1;
-  for (size_t i = 0; i < static_cast<size_t>(dimension); ++i) {
-    sum[i] += point[i];
-    for (size_t j = 0; j <= i; ++j) product[i][j] += point[i] * point[j];
-  }
-}
-
 void Moments::add(const Moments& other) {
   count += other.count;
   for (size_t i = 0; i < sum.size(); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace texbake {
 
@@ -16,11 +17,21 @@ struct Moments {
   PointD sum{};
   SymmetricMatrix product{};  ///< Σ x_i x_j for j ≤ i; the rest is not used
 
-  void add(const PointD& point, int dimension);
+  template <int Dimension>
+  void add(const PointD& point);
   void add(const Moments& other);
   PointD mean() const;                 ///< count > 0
   SymmetricMatrix covariance() const;  ///< divided by count > 0, full matrix
 };
+
+template <int Dimension>
+void Moments::add(const PointD& point) {
+  count += 1;
+  for (std::size_t i = 0; i < Dimension; ++i) {
+    sum[i] += point[i];
+    for (std::size_t j = 0; j <= i; ++j) product[i][j] += point[i] * point[j];
+  }
+}
 
 struct PrincipalAxis {
   PointD direction{};   ///< unit; its component of largest magnitude is positive. 0 when all points are equal
