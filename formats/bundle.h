@@ -22,30 +22,32 @@ inline constexpr const char* kBundleVersion = "1.0";
 
 /// Another picture of the same surface, travelling with the colour.
 struct Map {
-  std::string name;           ///< "normal", "roughness", ...: the NAME of --map NAME=FILE
-  int channels = 1;           ///< 1 or 3
-  int source_bits = 8;        ///< 8: stored HALF; above: stored FLOAT
-  bool is_float = false;      ///< the source held floating point
-  std::string convention;     ///< "opengl" (+Y up) or "directx" (+Y down) for normals, else ""
-  Image<float> planes[3];     ///< `channels` of them. Normals are stored decoded, in −1 … 1
+  std::string name;        ///< "normal", "roughness", ...: the NAME of --map NAME=FILE
+  int channels = 1;        ///< 1 or 3
+  int source_bits = 8;     ///< 8: stored HALF; above: stored FLOAT
+  bool is_float = false;   ///< the source held floating point
+  std::string convention;  ///< "opengl" (+Y up) or "directx" (+Y down) for normals, else ""
+  Image<float> planes[3];  ///< `channels` of them, half-exact where stored HALF. Normals are decoded, in −1 … 1;
+                           ///< other maps of integer sources are in 0 … 1
 };
 
 /// One tile with all that was found in it.
 struct Scale {
-  std::string name = "fine";              ///< stem of its EXR file
-  Image<V3f> exemplar;                    ///< linear Rec.709, half-exact, ≥ 0
-  bool stores_exemplar = true;            ///< false for --colour palette: base = decode(index, variation)
-  std::optional<Image<V3f>> structure;    ///< the base where present
+  std::string name = "fine";            ///< stem of its EXR file
+  Image<V3f> exemplar;                  ///< linear Rec.709, half-exact, ≥ 0
+  bool stores_exemplar = true;          ///< false for --colour palette: exemplar is palette_exemplar(colors)
+  std::optional<Image<V3f>> structure;  ///< the base where present
   std::optional<PrincipalVariation> colors;
   std::optional<FragmentMap> fragments;
   std::optional<PatchMap> patches;
   std::optional<ContentTable> contents;
-  std::optional<Image<float>> height;     ///< 0 … 1
+  std::optional<Image<float>> height;  ///< 0 … 1
   std::vector<Map> maps;
-  std::optional<V2i> tile_from_source;    ///< offset of the tile in the source picture, when it is a crop
+  std::optional<V2i> tile_from_source;  ///< offset of the tile in the source picture, when it is a crop
 
   int width() const { return exemplar.width(); }
   int height_px() const { return exemplar.height(); }
+  V2i size() const { return {exemplar.width(), exemplar.height()}; }
   const Image<V3f>& base() const { return structure ? *structure : exemplar; }
 };
 
@@ -61,8 +63,10 @@ struct Source {
 struct Stage {
   std::string verb;
   int version = 1;
-  Json parameters;  ///< every effective parameter, automatic values resolved
-  Json figures;     ///< what was measured; never times
+  Json parameters;     ///< every effective parameter, automatic values resolved; keys are long flags, in kebab-case
+  Json figures;        ///< what was measured; never times; keys in camelCase
+  std::string input;   ///< state_hash of the bundle that the stage read
+  std::string output;  ///< state_hash of the bundle with the stage's result
 };
 
 struct Bundle {
@@ -71,6 +75,14 @@ struct Bundle {
   std::vector<Stage> stages;
   Json extensions = Json::object();
   Json extras = Json::object();
+  Json unknown = Json::object();  ///< members of bundle.json that a newer minor version added; written back unchanged
+  int semantics = kSemantics;  ///< another number only after reading with Semantics::any; such a bundle is not written
 };
+
+/// The exemplar of a bundle that stores only the paper's compact form: decode(index, variation), rounded to half.
+Image<V3f> palette_exemplar(const PrincipalVariation& colors);
+
+/// The mean of an image: each row summed in double from the left, the sums of the rows added from the top.
+V3f mean_color(ImageView<const V3f> image);
 
 }  // namespace texbake

@@ -1,0 +1,46 @@
+// Bundles on the disk. formats/README.md specifies the format.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "formats/bundle.h"
+#include "formats/issues.h"
+#include "formats/manifest.h"
+#include "formats/safe_file.h"
+
+namespace texbake {
+
+struct ReadOptions {
+  Semantics semantics = Semantics::known;
+};
+
+/// Reads and checks a bundle: versions, schema, hashes of all planes, ranges, counts. Throws Error of the first issue
+/// (bad_data, unsupported, io). What costs more (connectivity, means, ...) is verify_bundle's.
+Bundle read_bundle(const std::filesystem::path& path, const ReadOptions& options = {});
+
+struct WriteOptions {
+  StepHook hook;  ///< for tests: called before each step on the disk
+};
+
+/// Writes a bundle at any state of the chain. A new bundle appears as a whole; an existing one is replaced so that a
+/// reader sees the old or the new one at any moment, also when the writer is killed. What killed writers left behind is
+/// removed. Anything at `path` that is not a bundle is refused and stays as it is. Throws Error(io); Error(bad_data)
+/// when the bundle does not follow the schema, such as a map name with a space.
+void write_bundle(const Bundle& bundle, const std::filesystem::path& path, const WriteOptions& options = {});
+
+/// A bundle as far as it can be read: what verify starts from.
+struct LoadedBundle {
+  Json manifest;
+  std::vector<PlaneRefs> refs;
+  Bundle bundle;
+  std::vector<std::set<std::string>> planes;  ///< for each scale, the keys of the planes that were read
+  bool is_whole(size_t scale) const { return !refs[scale].empty() && planes[scale].size() == refs[scale].size(); }
+};
+
+/// Reads all that can be read and leaves what is wrong in `log`.
+LoadedBundle load_bundle(const std::filesystem::path& path, const ReadOptions& options, IssueLog& log);
+
+}  // namespace texbake

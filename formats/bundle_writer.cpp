@@ -1,0 +1,207 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "formats/bundle_io.h"
+#include "formats/json_text.h"
+#include "formats/planes.h"
+#include "formats/schema.h"
+
+namespace texbake {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error refusal(const fs::path& path, const std::string& found) {
+  return Error(ErrorKind::io, fmt::format("{}: expected a bundle or a free name to write to, found {}; nothing was "
+                                          "changed: choose another output, or remove it first",
+                                          path.string(), found));
+}
+
+Error failure(const fs::path& path, const char* action) {
+  return Error(ErrorKind::io, fmt::format("{}: expected to {}, found: {}; choose a place that can be written",
+                                          path.string(), action, std::strerror(errno)));
+}
+
+/// Everything of a bundle that is written, before anything is written.
+struct Plan {
+  std::vector<PlaneRefs> refs;
+  std::string manifest;
+  std::set<std::string> payloads;
+};
+
+Plan make_plan(const Bundle& bundle, const fs::path& path) {
+  if (bundle.semantics != kSemantics)
+    throw Error(ErrorKind::unsupported, fmt::format("{}: expected semantics {} to write, found {}; use a newer texbake",
+                                                    path.string(), kSemantics, bundle.semantics));
+  Plan plan;
+  plan.refs = plane_refs(bundle);
+  const Json manifest = manifest_json(bundle, scales_json(bundle, plan.refs));
+  IssueLog log(path.string(), IssueLog::OnError::throw_first);
+  check_schema(manifest, log);
+  plan.manifest = print_json(manifest);
+  for (const PlaneRefs& refs : plan.refs) plan.payloads.insert(refs.at(0).file);
+  return plan;
+}
+
+/// A folder that one writer has for itself. The kernel frees it when the writer ends, however it ends.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    // File systems without locks are written without: two writers at once are then the user's care.
+    locked_ = descriptor_ >= 0 && (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK);
+  }
+  ~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  explicit operator bool() const { return locked_; }
+
+ private:
+  int descriptor_;
+  bool locked_ = false;
+};
+
+bool is_payload_name(const std::string& name) {
+  constexpr size_t kTail = sizeof("-0123456789ab.exr") - 1;
+  if (name.size() <= kTail || !name.ends_with(".exr") || name[name.size() - kTail] != '-') return false;
+  const std::string digits = name.substr(name.size() - kTail + 1, 12);
+  return digits.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// Does `file` hold, readably, the planes that would be written to it?
+bool holds_already(const fs::path& file, const PlaneRefs& refs) {
+  std::error_code failed;
+  if (!fs::is_regular_file(fs::symlink_status(file, failed))) return false;
+  IssueLog log("", IssueLog::OnError::collect);
+  const ExrReader reader(file, log);
+  if (!reader.is_open()) return false;
+  std::vector<std::string> parts;
+  for (const PlaneRef& ref : refs) {
+    if (!parts.empty() && parts.back() == ref.shape.part) continue;
+    parts.push_back(ref.shape.part);
+    const auto ignore = [](int, const std::byte*) {};
+    if (!reader.holds(ref.shape, log) || reader.read(ref.shape, ignore, log) != ref.pixel_hash) return false;
+  }
+  return reader.part_names() == parts;
+}
+
+void write_payload(const Scale& scale, const PlaneRefs& refs, const fs::path& folder, const StepHook& hook) {
+  const fs::path path = folder / refs.at(0).file;
+  if (holds_already(path, refs)) return;
+  std::vector<ExrPart> parts;
+  for (const Plane& plane : planes_of(scale))
+    if (parts.empty() || parts.back().shape.part != plane.shape.part) parts.push_back(exr_part(plane));
+  SafeFile file(path, hook);
+  if (hook) hook("write " + refs.at(0).file);
+  write_exr(file, scale.size(), parts);
+  file.commit();
+}
+
+/// Payloads first, the manifest last: until its name appears, the folder is the old bundle or none.
+void write_files(const Bundle& bundle, const Plan& plan, const fs::path& folder, const StepHook& hook) {
+  for (size_t i = 0; i < bundle.scales.size(); ++i) write_payload(bundle.scales[i], plan.refs[i], folder, hook);
+  SafeFile manifest(folder / kManifestName, hook);
+  if (hook) hook(std::string("write ") + kManifestName);
+  manifest.write(plan.manifest);
+  manifest.commit();
+}
+
+/// Removes payloads that `plan` does not name, and what killed writers left. Failing to tidy up harms nobody.
+void tidy(const fs::path& folder, const Plan& plan, const StepHook& hook) {
+  std::vector<fs::path> old;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (is_temporary_name(name) || (is_payload_name(name) && !plan.payloads.contains(name)))
+      old.push_back(entry.path());
+  }
+  std::ranges::sort(old);
+  for (const fs::path& path : old) {
+    if (hook) hook("remove " + path.filename().string());
+    fs::remove(path, ignored);
+  }
+}
+
+void replace_bundle(const Bundle& bundle, const Plan& plan, const fs::path& path, const StepHook& hook) {
+  const FolderLock lock(path);
+  if (!lock) throw refusal(path, "a bundle that another program is writing");
+  write_files(bundle, plan, path, hook);
+  tidy(path, plan, hook);
+}
+
+std::string staging_prefix(const fs::path& path) { return fmt::format(".{}.texbake-tmp-", path.filename().string()); }
+
+/// Staging folders of writers of `path` that no longer live.
+void remove_dead_staging(const fs::path& path) {
+  std::error_code ignored;
+  std::vector<fs::path> dead;
+  for (const auto& entry : fs::directory_iterator(path.parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(staging_prefix(path)) && is_temporary_name(name) && entry.is_directory(ignored) &&
+        FolderLock(entry.path()))
+      dead.push_back(entry.path());
+  }
+  for (const fs::path& folder : dead) fs::remove_all(folder, ignored);
+}
+
+void create_bundle(const Bundle& bundle, const Plan& plan, const fs::path& path, const StepHook& hook) {
+  remove_dead_staging(path);
+  Unfinished staging(path.parent_path() / fmt::format("{}{}", staging_prefix(path), ::getpid()));
+  if (hook) hook("create folder");
+  if (::mkdir(staging.path().c_str(), 0777) != 0) throw failure(path, "create the folder");
+  const FolderLock lock(staging.path());
+  write_files(bundle, plan, staging.path(), hook);
+  if (hook) hook("rename folder");
+  // rename(2) replaces nothing but an empty folder.
+  if (::rename(staging.path().c_str(), path.c_str()) != 0) throw failure(path, "name the folder");
+  staging.release();
+  if (hook) hook("renamed folder");
+  sync_folder(path.parent_path());
+}
+
+/// Is there a bundle, of whatever version, in the folder?
+bool is_bundle(const fs::path& folder) {
+  std::ifstream stream(folder / kManifestName, std::ios::binary);
+  const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
+  return json.is_object() && json.contains("asset") && json["asset"].is_object() &&
+         json["asset"].value("kind", Json()) == "texbake.bundle";
+}
+
+/// Without a slash at the end, and with a folder in front.
+fs::path with_folder(fs::path path) {
+  path = path.lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return path.has_parent_path() ? path : fs::path(".") / path;
+}
+
+}  // namespace
+
+void write_bundle(const Bundle& bundle, const fs::path& target, const WriteOptions& options) {
+  const fs::path path = with_folder(target);
+  std::error_code failed;
+  const fs::file_status status = fs::symlink_status(path, failed);
+  const bool exists = fs::exists(status);
+  if (exists && !fs::is_directory(path, failed)) throw refusal(path, "a file");
+  const bool is_new = !exists || fs::is_empty(path, failed);
+  if (!is_new && !is_bundle(path)) throw refusal(path, "a folder that is not a bundle");
+  if (is_new && !fs::is_directory(path.parent_path(), failed))
+    throw Error(ErrorKind::io, fmt::format("{}: expected the folder {} to exist, found none; create it first",
+                                           path.string(), path.parent_path().string()));
+  const Plan plan = make_plan(bundle, path);
+  if (is_new)
+    create_bundle(bundle, plan, path, options.hook);
+  else
+    replace_bundle(bundle, plan, path, options.hook);
+}
+
+}  // namespace texbake

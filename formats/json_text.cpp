@@ -1,0 +1,139 @@
+#include "formats/json_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "formats/limits.h"
+
+namespace texbake {
+namespace {
+
+constexpr size_t kColumns = 120;
+
+template <class Number>
+std::string shortest(Number value) {
+  std::array<char, 64> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
+std::string double_text(double value) {
+  if (!std::isfinite(value)) return "null";
+  std::string text = shortest(value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string string_text(const std::string& value) {
+  return Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string scalar_text(const Json& json) {
+  if (json.is_number_float()) return double_text(json.get<double>());
+  if (json.is_string()) return string_text(json.get_ref<const std::string&>());
+  return json.dump();
+}
+
+/// One line; `gap` stands after every comma and colon.
+void append_line(const Json& json, std::string_view gap, std::string& out) {
+  if (!json.is_structured()) {
+    out += scalar_text(json);
+    return;
+  }
+  out += json.is_object() ? '{' : '[';
+  bool first = true;
+  for (const auto& [key, value] : json.items()) {
+    if (!std::exchange(first, false)) (out += ',') += gap;
+    if (json.is_object()) ((out += string_text(key)) += ':') += gap;
+    append_line(value, gap, out);
+  }
+  out += json.is_object() ? '}' : ']';
+}
+
+void append_lines(const Json& json, size_t indent, size_t column, std::string& out) {
+  std::string line;
+  append_line(json, " ", line);
+  if (!json.is_structured() || json.empty() || column + line.size() < kColumns) {
+    out += line;
+    return;
+  }
+  out += json.is_object() ? "{" : "[";
+  bool first = true;
+  for (const auto& [key, value] : json.items()) {
+    out += std::exchange(first, false) ? "\n" : ",\n";
+    out.append(indent + 2, ' ');
+    const std::string label = json.is_object() ? string_text(key) + ": " : "";
+    out += label;
+    append_lines(value, indent + 2, indent + 2 + label.size(), out);
+  }
+  (out += '\n').append(indent, ' ');
+  out += json.is_object() ? '}' : ']';
+}
+
+/// Ends the parsing of a document that is not accepted.
+struct Refused {
+  IssueId id;
+  std::string detail;
+};
+
+/// Watches the parser for what JSON allows and a manifest must not have.
+class StrictWatch {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+    using enum Json::parse_event_t;
+    if (depth > kMaxManifestDepth)
+      throw Refused{IssueId::json_too_deep, fmt::format("expected at most {} levels, found more", kMaxManifestDepth)};
+    if (event == object_start) keys_.emplace_back();
+    if (event == object_end) keys_.pop_back();
+    if (event == key && !keys_.back().insert(parsed.get<std::string>()).second)
+      throw Refused{IssueId::json_duplicate_key,
+                    fmt::format("expected each key once, found {} twice", scalar_text(parsed))};
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
+
+Json json_number(float value) {
+  if (!std::isfinite(value)) return nullptr;
+  const std::string text = shortest(value);
+  double number = value;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return static_cast<float>(number) == value ? number : static_cast<double>(value);
+}
+
+Json parse_json(std::string_view text, IssueLog& log) {
+  StrictWatch watch;
+  try {
+    return Json::parse(text, std::ref(watch));
+  } catch (const Refused& refused) {
+    log.add({refused.id, {.file = "bundle.json"}, refused.detail});
+  } catch (const Json::exception& error) {
+    log.add({IssueId::json_syntax,
+             {.file = "bundle.json"},
+             fmt::format("expected JSON in UTF-8, found: {}", error.what())});
+  }
+  return nullptr;
+}
+
+std::string print_json(const Json& json) {
+  std::string text;
+  append_lines(json, 0, 0, text);
+  return text + "\n";
+}
+
+std::string compact_json(const Json& json) {
+  std::string text;
+  append_line(json, "", text);
+  return text;
+}
+
+}  // namespace texbake

@@ -1,0 +1,25 @@
+// Reads JSON strictly and writes it so that equal values give equal bytes and people can read it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "formats/issues.h"
+
+namespace texbake {
+
+/// The value that prints as the shortest decimal which reads back as `value`: 0.1f as 0.1, not 0.10000000149011612.
+Json json_number(float value);
+
+/// `text` as a value. Reports json_syntax, json_too_deep and json_duplicate_key, and then returns null.
+Json parse_json(std::string_view text, IssueLog& log);
+
+/// Arrays and objects on one line where they fit into 120 columns, else one element to a line, two spaces a level; a
+/// final newline. Doubles are the shortest decimals that read back to the same value and always show a point or an
+/// exponent; what is not finite becomes null.
+std::string print_json(const Json& json);
+/// The same tokens without any white space.
+std::string compact_json(const Json& json);
+
+}  // namespace texbake

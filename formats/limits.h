@@ -1,0 +1,13 @@
+// What a bundle may hold at most. A reader checks these before it takes memory.
+#pragma once
+
+#include <cstddef>
+
+namespace texbake {
+
+inline constexpr int kMaxTileSize = 16384;                     ///< texels on each axis
+inline constexpr size_t kMaxManifestBytes = size_t{64} << 20;  ///< of bundle.json
+inline constexpr int kMaxManifestDepth = 64;                   ///< nested arrays and objects
+inline constexpr int kMaxParts = 256;                          ///< in one EXR file
+
+}  // namespace texbake

@@ -1,0 +1,188 @@
+#include "formats/manifest.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "formats/json_text.h"
+#include "formats/planes.h"
+#include "formats/sha256.h"
+#include "libbake/base/parallel.h"
+
+namespace texbake {
+namespace {
+
+constexpr const char* kGenerator = "texbake " TEXBAKE_VERSION;
+
+Json json_of(V2i v) { return Json::array({v.x, v.y}); }
+Json json_of(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
+
+Json json_of(const PlaneRef& ref) {
+  return {{"file", ref.file},
+          {"part", ref.shape.part},
+          {"channels", ref.shape.channels},
+          {"type", name_of(ref.shape.type)},
+          {"pixelHash", ref.pixel_hash}};
+}
+
+Json planes_json(const PlaneRefs& refs) {
+  Json planes = Json::object();
+  for (const PlaneRef& ref : refs)
+    if (!ref.key.starts_with(kMapKey)) planes[ref.key] = json_of(ref);
+  return planes;
+}
+
+Json maps_json(const std::vector<Map>& maps, const PlaneRefs& refs) {
+  Json list = Json::array();
+  for (const Map& map : maps) {
+    const auto ref = std::ranges::find(refs, kMapKey + map.name, &PlaneRef::key);
+    list.push_back({{"name", map.name},
+                    {"channels", map.channels},
+                    {"sourceBits", map.source_bits},
+                    {"sourceFloat", map.is_float},
+                    {"convention", map.convention},
+                    {"plane", json_of(*ref)}});
+  }
+  return list;
+}
+
+Json palette_json(const Palette& palette) {
+  Json list = Json::array();
+  for (const ColorClass& color : palette.classes)
+    list.push_back({{"dominant", json_of(color.dominant)}, {"variation", json_of(color.variation)}});
+  return list;
+}
+
+Json patches_json(const Partition& patches) {
+  Json list = Json::array();
+  for (size_t i = 0; i < patches.centers.size(); ++i)
+    list.push_back({{"center", json_of(patches.centers[i])}, {"areaPx", patches.areas_px[i]}});
+  return list;
+}
+
+Json contents_json(const ContentTable& table) {
+  Json patches = Json::array();
+  for (int p = 0; p < table.patch_count; ++p) {
+    Json list = Json::array();
+    for (int c = 0; c < table.content_count; ++c) {
+      const Content& content = table.at(p, c);
+      list.push_back({{"translation", json_of(content.translation)},
+                      {"rotationEighths", content.rotation_eighths},
+                      {"scale", json_number(content.scale)},
+                      {"matrix", json_of(V2i(content.a, content.b))},
+                      {"impact", json_number(content.impact)}});
+    }
+    patches.push_back(std::move(list));
+  }
+  return patches;
+}
+
+Json scale_json(const Scale& scale, const PlaneRefs& refs) {
+  Json json = {{"name", scale.name}, {"size", json_of(scale.size())}};
+  if (scale.tile_from_source) json["tileFromSource"] = json_of(*scale.tile_from_source);
+  json["planes"] = planes_json(refs);
+  if (!scale.maps.empty()) json["maps"] = maps_json(scale.maps, refs);
+  json["mean"] = json_of(mean_color(scale.base()));
+  if (scale.colors) json["palette"] = palette_json(scale.colors->palette);
+  if (scale.fragments) json["fragments"] = {{"count", scale.fragments->fragments.size()}};
+  if (scale.patches) json["patches"] = patches_json(scale.patches->partition);
+  if (scale.contents) json["contents"] = contents_json(*scale.contents);
+  return json;
+}
+
+PlaneRefs hash_planes(const Scale& scale) {
+  const std::vector<Plane> planes = planes_of(scale);
+  PlaneRefs refs(planes.size());
+  parallel_for(0, static_cast<int>(planes.size()), [&](int i) {
+    const auto at = static_cast<size_t>(i);
+    const bool shared = at > 0 && planes[at].shape.part == planes[at - 1].shape.part;
+    refs[at] = {planes[at].key, "", planes[at].shape, shared ? "" : pixel_hash(exr_part(planes[at]))};
+  });
+  for (size_t i = 1; i < refs.size(); ++i)
+    if (refs[i].pixel_hash.empty()) refs[i].pixel_hash = refs[i - 1].pixel_hash;
+  const std::string file = payload_name(scale.name, refs);
+  for (PlaneRef& ref : refs) ref.file = file;
+  return refs;
+}
+
+Json object_or_empty(const Json& json) { return json.is_null() ? Json::object() : json; }
+
+Json stage_json(const Stage& stage) {
+  return {{"verb", stage.verb},
+          {"version", stage.version},
+          {"parameters", object_or_empty(stage.parameters)},
+          {"figures", object_or_empty(stage.figures)},
+          {"input", stage.input},
+          {"output", stage.output}};
+}
+
+Json source_json(const Source& source) {
+  return {{"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}};
+}
+
+}  // namespace
+
+std::string content_hash(const PlaneRefs& refs) {
+  std::string lines;
+  std::set<std::string> seen;
+  for (const PlaneRef& ref : refs)
+    if (seen.insert(ref.shape.part).second)
+      lines += fmt::format("{} {} {} {} {} {}\n", ref.shape.part, ref.shape.width, ref.shape.height,
+                           name_of(ref.shape.type), fmt::join(ref.shape.channels, ","), ref.pixel_hash);
+  return sha256(lines);
+}
+
+std::string payload_name(const std::string& scale_name, const PlaneRefs& refs) {
+  return fmt::format("{}-{}.exr", scale_name, content_hash(refs).substr(0, 12));
+}
+
+std::vector<PlaneRefs> plane_refs(const Bundle& bundle) {
+  std::vector<PlaneRefs> refs;
+  for (const Scale& scale : bundle.scales) refs.push_back(hash_planes(scale));
+  return refs;
+}
+
+Json scales_json(const Bundle& bundle, const std::vector<PlaneRefs>& refs) {
+  Json scales = Json::array();
+  for (size_t i = 0; i < refs.size(); ++i) scales.push_back(scale_json(bundle.scales[i], refs[i]));
+  return scales;
+}
+
+std::string state_hash(const Json& scales, const std::vector<Source>& sources) {
+  if (!scales.empty()) return sha256(compact_json(scales));
+  std::string lines;
+  for (const Source& source : sources) lines += fmt::format("{} {}\n", source.role, source.sha256);
+  return sha256(lines);
+}
+
+std::string state_hash(const Bundle& bundle) {
+  return state_hash(scales_json(bundle, plane_refs(bundle)), bundle.sources);
+}
+
+void record_stage(Bundle& bundle, Stage stage, const std::string& input) {
+  stage.input = input;
+  stage.output = state_hash(bundle);
+  bundle.stages.push_back(std::move(stage));
+}
+
+Json manifest_json(const Bundle& bundle, const Json& scales) {
+  Json json = {{"asset",
+                {{"kind", "texbake.bundle"},
+                 {"version", kBundleVersion},
+                 {"minVersion", kBundleVersion},
+                 {"semantics", kSemantics}}},
+               {"generator", kGenerator},
+               {"scales", scales}};
+  json["sources"] = Json::array();
+  for (const Source& source : bundle.sources) json["sources"].push_back(source_json(source));
+  json["stages"] = Json::array();
+  for (const Stage& stage : bundle.stages) json["stages"].push_back(stage_json(stage));
+  if (!bundle.extensions.empty()) json["extensions"] = bundle.extensions;
+  if (!bundle.extras.empty()) json["extras"] = bundle.extras;
+  for (const auto& [key, value] : bundle.unknown.items())
+    if (!json.contains(key)) json[key] = value;
+  return json;
+}
+
+}  // namespace texbake

@@ -1,0 +1,62 @@
+// bundle.json: the manifest of a bundle, written from and read into the bundle in memory. Pixels stay in the payloads.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formats/bundle.h"
+#include "formats/exr_planes.h"
+#include "formats/issues.h"
+
+namespace texbake {
+
+inline constexpr const char* kManifestName = "bundle.json";
+
+/// Where a plane lies and what it must hold.
+struct PlaneRef {
+  std::string key;  ///< as Plane::key
+  std::string file;
+  PlaneShape shape;
+  std::string pixel_hash;
+};
+
+/// The planes of one scale.
+using PlaneRefs = std::vector<PlaneRef>;
+
+/// The hash that names the payload file of `refs`: SHA-256 of one line for each part, in the order of the file,
+///   PART WIDTH HEIGHT TYPE CHANNEL,CHANNEL,... PIXELHASH\n
+std::string content_hash(const PlaneRefs& refs);
+/// NAME-<12 digits of the content hash>.exr
+std::string payload_name(const std::string& scale_name, const PlaneRefs& refs);
+
+/// Hashes every plane and names the file of each scale.
+std::vector<PlaneRefs> plane_refs(const Bundle& bundle);
+
+/// The member `scales`: together with the pixels that it names by their hashes, the state of a bundle.
+Json scales_json(const Bundle& bundle, const std::vector<PlaneRefs>& refs);
+/// SHA-256 of `scales` without white space; while there is no scale, of one line "ROLE SHA256\n" for each source.
+std::string state_hash(const Json& scales, const std::vector<Source>& sources);
+std::string state_hash(const Bundle& bundle);
+
+/// Appends `stage` with its output; `input` is the state_hash of the bundle that the stage read.
+void record_stage(Bundle& bundle, Stage stage, const std::string& input);
+
+Json manifest_json(const Bundle& bundle, const Json& scales);
+
+/// A manifest read back: the bundle without pixels, and where they are.
+struct Manifest {
+  Bundle bundle;
+  std::vector<V2i> sizes;               ///< of each scale
+  std::vector<size_t> fragment_counts;  ///< of each scale; the tables wait for their planes
+  std::vector<PlaneRefs> refs;          ///< of each scale
+};
+
+enum class Semantics {
+  known,  ///< refuse a number this build does not know
+  any,    ///< for programs that only list what a bundle holds
+};
+
+/// Checks versions, then the schema, then what the schema cannot say. A scale with errors has no refs.
+Manifest parse_manifest(const Json& json, Semantics semantics, IssueLog& log);
+
+}  // namespace texbake

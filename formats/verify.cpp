@@ -1,0 +1,72 @@
+#include "formats/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/bundle_io.h"
+#include "formats/verify_history.h"
+#include "formats/verify_scale.h"
+
+namespace texbake {
+namespace {
+
+namespace fs = std::filesystem;
+
+void warn_stray_files(const fs::path& path, const LoadedBundle& loaded, IssueLog& log) {
+  std::set<std::string> known = {kManifestName};
+  for (const PlaneRefs& refs : loaded.refs)
+    if (!refs.empty()) known.insert(refs[0].file);
+  std::set<std::string> stray;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(path, failed)) stray.insert(entry.path().filename().string());
+  for (const std::string& name : stray)
+    if (!known.contains(name)) log.add({IssueId::stray_file, {.file = name}, "expected only files of the manifest"});
+}
+
+void check_scale_order(const Bundle& bundle, const Json& scales, IssueLog& log) {
+  for (size_t i = 1; i < bundle.scales.size(); ++i)
+    if (scales[i]["size"][0].get<int>() < scales[i - 1]["size"][0].get<int>())
+      log.add({IssueId::scale_order,
+               {.pointer = fmt::format("/scales/{}/size", i)},
+               fmt::format("expected a width of at least {}, that of the coarser scale before, found {}",
+                           scales[i - 1]["size"][0].get<int>(), scales[i]["size"][0].get<int>())});
+}
+
+void check_scale(const LoadedBundle& loaded, size_t i, IssueLog& log) {
+  if (loaded.refs[i].empty()) return;
+  const Scale& scale = loaded.bundle.scales[i];
+  const ScaleUnderTest test{scale, fmt::format("/scales/{}", i), loaded.refs[i][0].file, loaded.planes[i]};
+  if (scale.colors && test.has("index")) check_palette(test, log);
+  const Json& mean = loaded.manifest["scales"][i]["mean"];
+  if (loaded.is_whole(i)) check_means(test, V3f(mean[0].get<float>(), mean[1].get<float>(), mean[2].get<float>()), log);
+  check_partitions(test, log);
+  if (scale.contents) check_contents(test, log);
+}
+
+void verify(const fs::path& path, IssueLog& log) {
+  const LoadedBundle loaded = load_bundle(path, {}, log);
+  if (loaded.refs.empty()) return;
+  for (size_t i = 0; i < loaded.refs.size(); ++i) check_scale(loaded, i, log);
+  if (!log.error_below("/scales")) check_scale_order(loaded.bundle, loaded.manifest["scales"], log);
+  check_state(loaded, log);
+  check_stages(loaded.bundle, log);
+  check_figures(loaded.bundle, log);
+  warn_stray_files(path, loaded, log);
+}
+
+}  // namespace
+
+std::vector<Issue> verify_bundle(const fs::path& path) {
+  IssueLog log(path.string(), IssueLog::OnError::collect);
+  try {
+    verify(path, log);
+  } catch (const std::exception& error) {
+    log.add({IssueId::exr_unreadable,
+             {.file = path.string()},
+             fmt::format("expected to end the checks, found: {}", error.what())});
+  }
+  return log.issues();
+}
+
+}  // namespace texbake

@@ -1,0 +1,82 @@
+#include "formats/verify_history.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/json_text.h"
+
+namespace texbake {
+namespace {
+
+/// The figures of a stage that follow from what the bundle holds, by the names the verbs record them under.
+Json countable_figures(const std::string& verb, const Scale& scale) {
+  const auto areas = [](const Partition& partition) -> Json {
+    const auto [least, most] = std::ranges::minmax(partition.areas_px);
+    return {{"count", partition.count()}, {"minArea", least}, {"maxArea", most}};
+  };
+  if (verb == "convert" && scale.colors) return {{"classes", scale.colors->palette.classes.size()}};
+  if (verb == "fragment" && scale.fragments) return areas(scale.fragments->partition);
+  if (verb == "patch" && scale.patches) return areas(scale.patches->partition);
+  return Json::object();
+}
+
+void find_nulls(const Json& json, const std::string& pointer, IssueLog& log) {
+  if (json.is_null())
+    log.add({IssueId::figure_implausible, {.pointer = pointer}, "expected a finite number, found null"});
+  if (!json.is_structured()) return;
+  for (const auto& [key, value] : json.items()) find_nulls(value, pointer + "/" + key, log);
+}
+
+void check_counts(const Stage& stage, const Scale& scale, const std::string& pointer, IssueLog& log) {
+  for (const auto& [key, counted] : countable_figures(stage.verb, scale).items()) {
+    const auto figure = stage.figures.find(key);
+    if (figure != stage.figures.end() && figure->is_number() && *figure != counted)
+      log.add({IssueId::figure_implausible,
+               {.pointer = fmt::format("{}/{}", pointer, key)},
+               fmt::format("expected {}, found {}", compact_json(counted), compact_json(*figure))});
+  }
+}
+
+}  // namespace
+
+void check_state(const LoadedBundle& loaded, IssueLog& log) {
+  const Bundle& bundle = loaded.bundle;
+  if (bundle.stages.empty() || !loaded.manifest.contains("scales")) return;
+  const std::string state = state_hash(loaded.manifest["scales"], bundle.sources);
+  if (bundle.stages.back().output != state)
+    log.add({IssueId::state_mismatch,
+             {.pointer = fmt::format("/stages/{}/output", bundle.stages.size() - 1)},
+             fmt::format("expected {}, found {}", state, bundle.stages.back().output)});
+}
+
+void check_stages(const Bundle& bundle, IssueLog& log) {
+  for (size_t i = 1; i < bundle.stages.size(); ++i)
+    if (bundle.stages[i].input != bundle.stages[i - 1].output)
+      log.add({IssueId::chain_broken,
+               {.pointer = fmt::format("/stages/{}/input", i)},
+               fmt::format("expected {}, found {}", bundle.stages[i - 1].output, bundle.stages[i].input)});
+  if (std::ranges::find(bundle.stages, "stack", &Stage::verb) != bundle.stages.end()) return;
+  const auto need = [&](bool present, const char* verb, const char* what) {
+    if (present && std::ranges::find(bundle.stages, verb, &Stage::verb) == bundle.stages.end())
+      log.add({IssueId::stage_missing,
+               {.pointer = "/stages"},
+               fmt::format("expected a stage {} because there are {}, found none", verb, what)});
+  };
+  for (const Scale& scale : bundle.scales) {
+    need(scale.colors.has_value(), "convert", "colours");
+    need(scale.fragments.has_value(), "fragment", "fragments");
+    need(scale.patches.has_value(), "patch", "patches");
+    need(scale.contents.has_value(), "select-contents", "contents");
+  }
+}
+
+void check_figures(const Bundle& bundle, IssueLog& log) {
+  for (size_t i = 0; i < bundle.stages.size(); ++i) {
+    const std::string pointer = fmt::format("/stages/{}/figures", i);
+    find_nulls(bundle.stages[i].figures, pointer, log);
+    if (bundle.scales.size() == 1) check_counts(bundle.stages[i], bundle.scales[0], pointer, log);
+  }
+}
+
+}  // namespace texbake

@@ -1,0 +1,15 @@
+// Checks of what a bundle says about its own making.
+#pragma once
+
+#include "formats/bundle_io.h"
+
+namespace texbake {
+
+/// The state that the last stage left is the state of the bundle.
+void check_state(const LoadedBundle& loaded, IssueLog& log);
+/// Inputs and outputs of successive stages meet; every plane and table has a stage that makes it.
+void check_stages(const Bundle& bundle, IssueLog& log);
+/// Recorded figures are numbers, and agree with what can be counted.
+void check_figures(const Bundle& bundle, IssueLog& log);
+
+}  // namespace texbake
