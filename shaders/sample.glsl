@@ -109,9 +109,14 @@ vec4 source_value(sampler2D plane, Source source) {
                   source.fraction);
 }
 
+// x, whose rounding no compiler can undo: it cannot know that lambda <= 1, so that nothing is flipped. Two products with
+// a common factor, once subtracted, would else be factored where the language has no `precise`.
+float rounded(float x, int scale) { return uintBitsToFloat(floatBitsToUint(x) ^ (uint(scale) >> 17u)); }
+
 // The same for a normal map, whose vectors turn with the content: by theta alone, a multiple of pi/4. (a, b) point in
 // the direction to which (1, 0) turns, x right and y up. `up` is 1 where +y of the vectors points up, else -1.
-vec4 turned_normal(vec4 normal, ivec2 matrix, float up) {
+vec4 turned_normal(vec4 normal, Source source, float up) {
+  ivec2 matrix = source.matrix;
   if (matrix.x > 0 && matrix.y == 0) return normal;
   float x = normal.x;
   float y = normal.y * up;
@@ -119,8 +124,8 @@ vec4 turned_normal(vec4 normal, ivec2 matrix, float up) {
     const float cos_eighth = 0.70710678f;
     PRECISE float turned_x = (x - y) * cos_eighth;
     PRECISE float turned_y = (x + y) * cos_eighth;
-    x = turned_x;
-    y = turned_y;
+    x = rounded(turned_x, source.scale);
+    y = rounded(turned_y, source.scale);
   }
   // What remains: 0, 1, 2 or 3 quarters of a turn, counter-clockwise in the picture.
   vec4 turned = normal;
@@ -141,13 +146,14 @@ vec4 turned_normal(vec4 normal, ivec2 matrix, float up) {
 }
 
 vec4 source_normal(sampler2D plane, Source source, float up) {
-  return turned_normal(source_value(plane, source), source.matrix, up);
+  return turned_normal(source_value(plane, source), source, up);
 }
 
-// The same for a height map: relief shrinks with the content.
+// The same for a height map, one channel: relief shrinks with the content.
 vec4 source_height(sampler2D plane, Source source) {
   const float per_65536 = 0.0000152587890625f;
-  return source_value(plane, source) * (float(source.scale) * per_65536);
+  PRECISE float height = source_value(plane, source).x * (float(source.scale) * per_65536);
+  return vec4(rounded(height, source.scale), 0.0f, 0.0f, 0.0f);
 }
 
 vec4 footprint_value(sampler2D plane, Footprint footprint) {

@@ -2,6 +2,7 @@
 // Arithmetic on vectors is componentwise and rounds each operation once: compile with -ffp-contract=off.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,10 +38,16 @@ struct uvec4 {
 };
 struct alignas(16) vec4 {
   float x, y, z, w;
+  vec4() = default;
+  vec4(float x_, float y_, float z_, float w_) : x(x_), y(y_), z(z_), w(w_) {}
+  bool operator==(const vec4&) const = default;
 };
 inline vec4 operator+(const vec4& a, const vec4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 inline vec4 operator-(const vec4& a, const vec4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
 inline vec4 operator*(const vec4& a, float b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
+
+inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
+inline float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
 
 /// A texture whose texels have the type that texelFetch returns; borrows the pixels, rows from the top.
 template <class T>

@@ -3,6 +3,7 @@
 
 #include "libbake/eval/prepare.h"
 #include "libbake/eval/program.h"
+#include "libbake/eval/window.h"
 
 namespace texbake {
 
@@ -22,6 +23,12 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   program.content_count = static_cast<uint32_t>(planes.content_count);
   program.seed = seed;
   return program;
+}
+
+/// The upper left corner of a window.
+inline glsl::Position origin_of(const Window& window) {
+  return {{window.origin_x.tile, window.origin_y.tile},
+          {static_cast<int>(window.origin_x.offset_256), static_cast<int>(window.origin_y.offset_256)}};
 }
 
 }  // namespace texbake

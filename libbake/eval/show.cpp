@@ -81,9 +81,7 @@ Image<V3f> show_rows(const EvaluatorPlanes& planes, const Window& window, Show s
   check_window(window, planes.size);
   check_show(planes, show);
   Image<V3f> rows(window.width, row_end - row_begin);
-  const glsl::Position origin{
-      {window.origin_x.tile, window.origin_y.tile},
-      {static_cast<int>(window.origin_x.offset_256), static_cast<int>(window.origin_y.offset_256)}};
+  const glsl::Position origin = origin_of(window);
   parallel_for(0, rows.height(), [&](int j) {
     Program program = program_of(planes, window.seed);
     for (int i = 0; i < rows.width(); ++i) {

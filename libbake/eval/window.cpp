@@ -24,9 +24,8 @@ V3f color_of(const vec4& value) { return {value.x, value.y, value.z}; }
 
 /// Position of pixel (i, j): the columns and rows of a window are independent.
 Position position_of(RowProgram& program, const Window& window, int i, int j) {
-  const Position origin{{window.origin_x.tile, window.origin_y.tile},
-                        {static_cast<int>(window.origin_x.offset_256), static_cast<int>(window.origin_y.offset_256)}};
-  return program.pixel_position(origin, window.step_256, {static_cast<uint32_t>(i), static_cast<uint32_t>(j)});
+  return program.pixel_position(origin_of(window), window.step_256,
+                                {static_cast<uint32_t>(i), static_cast<uint32_t>(j)});
 }
 
 /// Where a column of pixels reads: the texel column that its filter sees first, and the weight of the next.

@@ -74,12 +74,9 @@ void walk(benchmark::State& state, const EvaluatorPlanes& planes, const Point& p
   for (auto _ : state) {
     for (int j = 0; j < kHeight; ++j)
       for (int i = 0; i < kWidth; ++i) {
-        const glsl::Position origin{
-            {window.origin_x.tile, window.origin_y.tile},
-            {static_cast<int>(window.origin_x.offset_256), static_cast<int>(window.origin_y.offset_256)}};
-        const glsl::vec4 value = point(
-            program,
-            program.pixel_position(origin, window.step_256, {static_cast<uint32_t>(i), static_cast<uint32_t>(j)}));
+        const glsl::vec4 value =
+            point(program, program.pixel_position(origin_of(window), window.step_256,
+                                                  {static_cast<uint32_t>(i), static_cast<uint32_t>(j)}));
         out(i, j) = {value.x, value.y, value.z};
       }
     benchmark::DoNotOptimize(out.data());

@@ -125,17 +125,20 @@ TEST(Content, AnEighthTurnBlendsBetweenTexels) {
 
 TEST(Content, NormalsTurnWithTheirContentAlone) {
   glsl::Program program;
-  const glsl::vec4 east{1, 0, 0.5f, 0};
+  const glsl::vec4 east(1, 0, 0.5f, 0);
   for (int eighths = 0; eighths < 8; ++eighths)
     for (const float up : {1.0f, -1.0f}) {
       const Content content = turned_content({3, 4}, eighths, 0.75f);
-      const glsl::vec4 turned = program.turned_normal(east, {content.a, content.b}, up);
+      glsl::Source source{};
+      source.matrix = {content.a, content.b};
+      source.scale = static_cast<int>(content.scale * 65536);
+      const glsl::vec4 turned = program.turned_normal(east, source, up);
       // Clockwise as seen: with y up, an angle of −θ.
       const double angle = eighths * -0.78539816339744831;
       EXPECT_NEAR(turned.x, std::cos(angle), 1e-6);
       EXPECT_NEAR(turned.y * up, std::sin(angle), 1e-6);
       EXPECT_EQ(turned.z, 0.5f);
-      const glsl::vec4 turned_north = program.turned_normal({0, up, 0.5f, 0}, {content.a, content.b}, up);
+      const glsl::vec4 turned_north = program.turned_normal({0, up, 0.5f, 0}, source, up);
       EXPECT_NEAR(turned_north.x, -std::sin(angle), 1e-6);
       EXPECT_NEAR(turned_north.y * up, std::cos(angle), 1e-6);
     }

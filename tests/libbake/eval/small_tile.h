@@ -58,12 +58,13 @@ inline Image<uint32_t> random_cells(V2i size, uint64_t seed) {
   return idx;
 }
 
-/// The first seed from `seed` on whose cells are patches (connected, under half the tile).
+/// The first of a hundred seeds whose cells are patches (connected, under half the tile).
 inline PatchMap random_patches(V2i size, uint64_t seed) {
-  for (;; ++seed) try {
+  for (uint64_t last = seed + 99; seed < last; ++seed) try {
       return {unwrap(random_cells(size, seed))};
     } catch (const Error&) {
     }
+  return {unwrap(random_cells(size, seed))};
 }
 
 /// The content that is turned by `eighths` · π/4 and `scale` times its size (design §11).

@@ -1,0 +1,45 @@
+// Compares the processor with the reference shader on OpenGL, over windows chosen to find differences.
+#pragma once
+
+#include <vector>
+
+#include "libbake/eval/compare.h"
+#include "libbake/gl/gl_renderer.h"
+
+namespace texbake {
+
+struct ParityOptions {
+  int windows = 16;  ///< each of side × side pixels, both filters in turn
+  int side = 256;
+  uint32_t seed = 1;  ///< of the choice of windows; each has its own seed of contents
+};
+
+/// Random windows: origins near tile 0, at negative coordinates, near 2^31 and 2^32 and anywhere; steps from 1/16 to 8
+/// texels to a pixel.
+std::vector<Window> parity_windows(V2i tile_size, const ParityOptions& options = {});
+
+/// The window in which values differ most.
+struct WorstWindow {
+  Window window;
+  std::string plane;
+  WorstPixel pixel;
+};
+
+struct ParityReport {
+  uint64_t points = 0;
+  uint64_t differing_decisions = 0;
+  uint64_t differing_points = 0;  ///< values differ in some bit
+  uint64_t differing_bits = 0;
+  uint64_t nan_points = 0;
+  uint64_t drawn_contents = 0;  ///< how many of the P · N_t contents were seen
+  std::optional<WorstWindow> worst;
+  std::optional<Window> first_decision_window;  ///< where a decision first differed
+  std::string driver;
+
+  bool equal() const { return differing_decisions == 0 && differing_points == 0; }
+};
+
+/// Base and every map of `planes`.
+ParityReport check_parity(const EvaluatorPlanes& planes, const GlContext& context, const ParityOptions& options = {});
+
+}  // namespace texbake

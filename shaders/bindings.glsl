@@ -1,0 +1,8 @@
+// What the reference reads: textures and uniforms, as README.md specifies them.
+uniform usampler2D patch_plane;  // RG16UI   W x H    idx, (owner.x + 1) | (owner.y + 1) << 2
+uniform isampler2D contents;     // RGBA32I  N_t x P  t.x + 65536 t.y, 65536 lambda, a, b
+uniform isampler2D centers;      // RGBA32I  P x 1    c.x, c.y, 0, 0
+uniform sampler2D base;          // RGBA32F or RGBA16F  W x H
+uniform ivec2 tile_size;         // W, H
+uniform uint content_count;      // N_t
+uniform uint seed;

@@ -1,0 +1,9 @@
+#version 330 core
+#extension GL_ARB_gpu_shader5 : enable
+// `precise` forbids fused and reordered arithmetic. A driver without the extension draws the same decisions and may
+// round colours once less.
+#ifdef GL_ARB_gpu_shader5
+#define PRECISE precise
+#else
+#define PRECISE
+#endif

@@ -1,0 +1,5 @@
+// One triangle that covers the target, from no vertex array: draw three vertices.
+void main() {
+  vec2 corner = vec2(float((gl_VertexID & 1) << 2), float((gl_VertexID & 2) << 1));
+  gl_Position = vec4(corner - 1.0f, 0.0f, 1.0f);
+}

@@ -1,0 +1,84 @@
+#include "libbake/gl/parity.h"
+
+#include <gtest/gtest.h>
+
+#include "libbake/base/error.h"
+#include "tests/libbake/eval/small_tile.h"
+
+namespace texbake {
+namespace {
+
+/// Skips the test, loudly, where there is no OpenGL.
+std::unique_ptr<GlContext> context_of(ShaderLanguage language) {
+  try {
+    return std::make_unique<GlContext>(GlContextOptions{language, std::nullopt});
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::unsupported) throw;
+    std::printf("SKIPPED, no OpenGL: %s\n", error.what());
+    return nullptr;
+  }
+}
+
+class Parity : public testing::TestWithParam<ShaderLanguage> {
+ protected:
+  void SetUp() override {
+    context_ = context_of(GetParam());
+    if (!context_) GTEST_SKIP() << "no OpenGL";
+  }
+  ParityReport check(const EvaluatorPlanes& planes, const ParityOptions& options) {
+    const ParityReport report = check_parity(planes, *context_, options);
+    EXPECT_EQ(report.differing_decisions, 0u) << report.driver;
+    EXPECT_EQ(report.differing_bits, 0u) << report.driver;
+    EXPECT_TRUE(report.equal());
+    return report;
+  }
+  std::unique_ptr<GlContext> context_;
+};
+
+TEST_P(Parity, MovedContentsDifferInNoBitOverAMillionPoints) {
+  const SmallTile tile = random_tile({96, 64}, 5, Contents::moved, 1);
+  const ParityReport report = check(tile.planes(), {.windows = 16, .side = 256, .seed = 1});
+  EXPECT_GE(report.points, 1u << 20);
+  EXPECT_EQ(report.drawn_contents, 5u * static_cast<uint64_t>(tile.patches.partition.count())) << "every content";
+}
+
+TEST_P(Parity, TurnedAndScaledContentsDifferInNoBitOverAMillionPoints) {
+  const SmallTile tile = random_tile({65, 97}, 16, Contents::turned, 2);
+  const ParityReport report = check(tile.planes(), {.windows = 16, .side = 256, .seed = 2});
+  EXPECT_GE(report.points, 1u << 20);
+  EXPECT_EQ(report.drawn_contents, 16u * static_cast<uint64_t>(tile.patches.partition.count())) << "every content";
+}
+
+TEST_P(Parity, MapsOfEveryKindDifferInNoBit) {
+  const SmallTile tile = random_tile({64, 64}, 16, Contents::turned, 3);
+  const Image<V3f> noise = random_base({64, 64}, 99);
+  Image<float> channels[3] = {Image<float>(64, 64), Image<float>(64, 64), Image<float>(64, 64)};
+  for (int c = 0; c < 3; ++c)
+    for (size_t i = 0; i < noise.size(); ++i) channels[c].data()[i] = noise.data()[i][c] * 0.37f - 0.7f;
+  EvaluatorInput input = tile.input();
+  for (const MapKind kind : {MapKind::normal_opengl, MapKind::normal_directx, MapKind::plain})
+    input.maps.push_back({"map", kind, {channels[0], channels[1], channels[2]}});
+  input.maps.push_back({"height", MapKind::height, {channels[0]}});
+  check(prepare(input), {.windows = 8, .side = 128, .seed = 3});
+}
+
+TEST_P(Parity, ALargeTileDiffersInNoBit) {
+  const SmallTile tile = random_tile({768, 768}, 8, Contents::turned, 4);
+  check(tile.planes(), {.windows = 8, .side = 128, .seed = 4});
+}
+
+TEST_P(Parity, WithoutPatchesTheTileRepeats) {
+  const Image<V3f> base = random_base({32, 48}, 5);
+  EvaluatorInput input;
+  input.base = base;
+  const ParityReport report = check(prepare(input), {.windows = 4, .side = 128, .seed = 5});
+  EXPECT_EQ(report.drawn_contents, 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(OpenGL, Parity, testing::Values(ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es),
+                         [](const auto& which) {
+                           return which.param == ShaderLanguage::glsl_330 ? "Core33" : "Embedded30";
+                         });
+
+}  // namespace
+}  // namespace texbake
