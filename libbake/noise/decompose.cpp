@@ -1,0 +1,168 @@
+// Structure and masks at each candidate size, a test synthesis, the choice; then a second pass and the borders.
+#include "libbake/noise/decompose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "libbake/base/error.h"
+#include "libbake/base/half.h"
+#include "libbake/noise/sharp_border.h"
+#include "libbake/noise/structure.h"
+#include "libbake/noise/synthesis_test.h"
+
+namespace texbake {
+namespace {
+
+constexpr double kWeakNoise = 1e-4;  // share of the variance below which there is nothing to synthesise
+
+void round_to_half(Image<V3f>& image) {
+  for (V3f& color : image) color = half_exact(color);
+}
+
+std::vector<Image<float>> make_masks(ImageView<const V3f> exemplar, const LocalSpectra& spectra,
+                                     const DecomposeOptions& options) {
+  if (options.noises == 1) {
+    std::vector<Image<float>> everywhere;
+    everywhere.emplace_back(exemplar.width(), exemplar.height(), 1.0f);
+    return everywhere;
+  }
+  const GrainFeatures features(exemplar, spectra, static_cast<double>(options.color_weight));
+  return assign_masks(features, cluster_grain(features, options.noises, options.seed), options.masks);
+}
+
+/// structure + noise made again from its spectra.
+Image<V3f> synthesise(ImageView<const V3f> exemplar, const Image<V3f>& structure,
+                      const std::vector<Image<float>>& masks, int local_size) {
+  EstimatePsdOptions options;
+  options.local_size = local_size;
+  options.lobes = 0;
+  Image<V3f> synthesis = synthesise_noise(estimate_psd(exemplar, structure, masks, options), masks);
+  for (size_t i = 0; i < synthesis.size(); ++i) synthesis.data()[i] += structure.data()[i];
+  return synthesis;
+}
+
+SynthesisTest compare(ImageView<const V3f> exemplar, const Image<V3f>& synthesis, int local_size) {
+  const Image<float> wanted = luminance(exemplar);
+  const Image<float> made = luminance(synthesis);
+  return {local_size, energy_deviation(wanted, made), mean_coherence(wanted) - mean_coherence(made)};
+}
+
+/// BL17 §7: the noise is an exemplar of its own, and what its finer local spectra tell apart is structure. Half the
+/// size and half the tolerance: at the first pass's own it would find little more than that did.
+Image<V3f> extract_again(ImageView<const V3f> exemplar, const Image<V3f>& structure, int local_size,
+                         const DecomposeOptions& options) {
+  const Image<V3f> noise = noise_layer(exemplar, structure);
+  const Image<float> light = luminance(noise);
+  const LocalSpectra spectra(light, std::max(2, local_size / 2));
+  Image<V3f> more = extract_structure(
+      noise, spectra, {.sigma = static_cast<double>(options.sigma) / 2.0, .iterations = options.iterations});
+  for (size_t i = 0; i < more.size(); ++i) more.data()[i] += structure.data()[i];
+  round_to_half(more);
+  return more;
+}
+
+double variance_share(ImageView<const V3f> exemplar, const Image<V3f>& structure) {
+  const double noise = standard_deviation(luminance(noise_layer(exemplar, structure)));
+  const double whole = standard_deviation(luminance(exemplar));
+  return noise * noise / (whole * whole);
+}
+
+void measure(ImageView<const V3f> exemplar, Decomposition& result) {
+  result.noise_share = variance_share(exemplar, result.structure);
+  for (const Image<float>& mask : result.masks) {
+    double sum = 0.0;
+    for (const float weight : mask) sum += static_cast<double>(weight);
+    result.mask_share.push_back(sum / static_cast<double>(mask.size()));
+  }
+  if (result.noise_share < kWeakNoise)
+    result.warnings.push_back(
+        fmt::format("the noise holds only {:.2g} of the exemplar's variance: one layer would do", result.noise_share));
+  if (result.result.coherence_drop > kStructureInNoise)
+    result.warnings.push_back(
+        fmt::format("structure is left in the noise: the coherence of the synthesis is {:.3f} below the exemplar's "
+                    "(more than {:.2f} "
+                    "shows); {}",
+                    result.result.coherence_drop, kStructureInNoise,
+                    result.local_size.local_size > 2 ? "a smaller --local-size keeps more of it in the structure"
+                                                     : "this exemplar's fine patterns are not random grain"));
+}
+
+LocalSizeCandidate chosen_candidate(std::vector<LocalSizeCandidate> candidates, Decomposition& result) {
+  for (const LocalSizeCandidate& candidate : candidates) result.tested.push_back(candidate.test);
+  result.local_size = choose_local_size(result.tested);
+  return std::move(*std::find_if(candidates.begin(), candidates.end(), [&](const LocalSizeCandidate& candidate) {
+    return candidate.test.local_size == result.local_size.local_size;
+  }));
+}
+
+}  // namespace
+
+void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options) {
+  check_options(options);
+  const int smallest = options.local_size.value_or(kLocalSizes[0]);
+  if (options.sharp_border_px > 0.0f && options.noises == kMaxNoises)
+    throw Error(ErrorKind::usage, fmt::format("--sharp-border takes one of the {} masks: expected --noises at most {}, "
+                                              "found {}",
+                                              kMaxNoises, kMaxNoises - 1, options.noises));
+  const Image<float> light = luminance(exemplar);
+  LocalSpectra(light, smallest);  // throws when it cannot be made
+}
+
+LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options) {
+  const Image<float> light = luminance(exemplar);
+  const LocalSpectra spectra(light, local_size);
+  LocalSizeCandidate candidate;
+  candidate.structure = extract_structure(
+      exemplar, spectra, {.sigma = static_cast<double>(options.sigma), .iterations = options.iterations});
+  round_to_half(candidate.structure);
+  candidate.masks = make_masks(exemplar, spectra, options);
+  candidate.synthesis = synthesise(exemplar, candidate.structure, candidate.masks, local_size);
+  candidate.test = compare(exemplar, candidate.synthesis, local_size);
+  return candidate;
+}
+
+std::vector<LocalSizeCandidate> local_size_candidates(ImageView<const V3f> exemplar, const DecomposeOptions& options,
+                                                      const Progress& progress) {
+  check_decompose(exemplar, options);
+  std::vector<LocalSizeCandidate> candidates;
+  for (const int size : kLocalSizes) {
+    if (std::min(exemplar.width(), exemplar.height()) < 2 * size) break;
+    candidates.push_back(decompose_at(exemplar, size, options));
+    report(progress, size / 16.0);  // the largest takes half of the time
+  }
+  return candidates;
+}
+
+Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options, const Progress& progress) {
+  check_decompose(exemplar, options);
+  Decomposition result;
+  LocalSizeCandidate candidate;
+  if (options.local_size) {
+    candidate = decompose_at(exemplar, *options.local_size, options);
+    result.tested.push_back(candidate.test);
+    result.local_size = {*options.local_size, fmt::format("{} texels: asked for", *options.local_size)};
+  } else {
+    candidate = chosen_candidate(
+        local_size_candidates(exemplar, options, [&](double done) { report(progress, 0.8 * done); }), result);
+  }
+  result.structure = std::move(candidate.structure);
+  result.masks = std::move(candidate.masks);
+  result.result = candidate.test;
+  report(progress, 0.8);
+
+  if (options.second_pass == SecondPass::automatic && candidate.test.coherence_drop > kStructureInNoise) {
+    const int size = result.local_size.local_size;
+    result.structure = extract_again(exemplar, result.structure, size, options);
+    result.result = compare(exemplar, synthesise(exemplar, result.structure, result.masks, size), size);
+    result.second_pass = true;
+  }
+  if (options.sharp_border_px > 0.0f)
+    keep_sharp_borders(exemplar, border_band(result.masks, static_cast<double>(options.sharp_border_px)),
+                       result.structure, result.masks);
+  measure(exemplar, result);
+  report(progress, 1.0);
+  return result;
+}
+
+}  // namespace texbake

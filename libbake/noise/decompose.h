@@ -1,0 +1,109 @@
+// Splits an exemplar into structure and noise, and finds where each of a few noises lives.
+// Based on: Guingo et al. 2017, eq. 6, §3.3 (masks), §5 (structure), §6 (colour, sharp borders), §7 (second pass).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libbake/base/options.h"
+#include "libbake/base/progress.h"
+#include "libbake/base/torus.h"
+#include "libbake/noise/estimate_psd.h"
+#include "libbake/noise/local_size.h"
+#include "libbake/noise/masks.h"
+
+namespace texbake {
+
+enum class SecondPass {
+  automatic,  ///< where the coherence test finds structure in the noise
+  never,
+};
+template <>
+struct EnumNames<SecondPass> {
+  static constexpr std::pair<SecondPass, std::string_view> values[] = {{SecondPass::automatic, "auto"},
+                                                                       {SecondPass::never, "never"}};
+};
+
+struct DecomposeOptions {
+  int noises = 3;                 ///< K
+  std::optional<int> local_size;  ///< T_loc
+  MaskKind masks = MaskKind::binary;
+  float color_weight = 1.0f;
+  float sharp_border_px = 0.0f;
+  SecondPass second_pass = SecondPass::automatic;
+  float sigma = 0.01f;
+  int iterations = 5;
+  uint32_t seed = 1;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.noises, Field{.name = "noises",
+                             .min = 1,
+                             .max = kMaxNoises,
+                             .help = "number of random patterns (K) that the eye tells apart"});
+    visit(self.local_size, Field{.name = "local-size",
+                                 .unit = "texels",
+                                 .min = 2,
+                                 .max = 16,
+                                 .help = "side of the local spectra: 2, 4, 8 or 16; larger moves more into the noise",
+                                 .auto_help = "the largest whose synthesis still resembles the exemplar"});
+    visit(self.masks, Field{.name = "masks", .help = "binary: sharp transitions; soft: blends"});
+    visit(self.color_weight, Field{.name = "mask-color-weight",
+                                   .min = 0,
+                                   .max = 100,
+                                   .help = "variance of the colour against that of the spectra when masks are found"});
+    visit(self.sharp_border_px, Field{.name = "sharp-border",
+                                      .unit = "px",
+                                      .min = 0,
+                                      .max = 32,
+                                      .help = "half width of a band along mask borders that stays in the structure"});
+    visit(self.second_pass, Field{.name = "second-pass",
+                                  .help = "auto: extract structure from the noise again where some was left; never"});
+    visit(self.sigma, Field{.name = "structure-sigma",
+                            .min = 1e-4,
+                            .max = 1,
+                            .help = "how different two local spectra may be, in 10 standard deviations of luminance"});
+    visit(self.iterations,
+          Field{.name = "structure-iterations", .min = 1, .max = 50, .help = "how often the structure is filtered"});
+    visit(self.seed, Field{.name = "mask-seed", .min = 0, .max = 4294967295.0, .help = "seed of the clustering"});
+  }
+};
+
+/// The decomposition at one T_loc, for the choice by eye of BL17 Fig. 14.
+struct LocalSizeCandidate {
+  Image<V3f> structure;
+  std::vector<Image<float>> masks;
+  Image<V3f> synthesis;  ///< structure + noise made again
+  SynthesisTest test;
+};
+
+struct Decomposition {
+  Image<V3f> structure;             ///< half-exact; exemplar − structure is the noise
+  std::vector<Image<float>> masks;  ///< K, and one more with sharp borders; see masks.h
+  LocalSizeChoice local_size;
+  std::vector<SynthesisTest> tested;  ///< every T_loc that was tried, by rising size; first pass
+  SynthesisTest result;               ///< of what is returned
+  bool second_pass = false;           ///< whether it ran
+  double noise_share = 0;             ///< variance of the noise's luminance / the exemplar's
+  std::vector<double> mask_share;     ///< mean of each mask
+  std::vector<std::string> warnings;
+};
+
+/// `options` as they apply to this exemplar: throws Error(usage) for values out of range and for combinations that do
+/// not fit, Error(infeasible) for an exemplar without luminance contrast or smaller than 2 · local size.
+void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options);
+
+/// One T_loc, first pass, without sharp borders.
+LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options);
+
+/// All sizes that fit the exemplar, by rising size.
+std::vector<LocalSizeCandidate> local_size_candidates(ImageView<const V3f> exemplar, const DecomposeOptions& options,
+                                                      const Progress& progress = {});
+
+/// `exemplar`: a tile in linear Rec.709, half-exact. Errors as check_decompose, and Error(infeasible) when there are
+/// fewer distinct local spectra than noises or a mask is too small for a spectrum.
+Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options = {},
+                        const Progress& progress = {});
+
+}  // namespace texbake
