@@ -54,7 +54,7 @@ std::string manifest_text(const std::filesystem::path& path, IssueLog& log) {
 /// Counts the texels of one plane outside their range, and where the first one is.
 class RangeCheck {
  public:
-  explicit RangeCheck(const Plane& plane) : plane_(plane) {}
+  explicit RangeCheck(const ScalePlane& plane) : plane_(plane) {}
 
   /// Values outside become `fallback`, so that nothing downstream is led astray.
   template <class T>
@@ -84,12 +84,12 @@ class RangeCheck {
     std::string detail;
   };
 
-  const Plane& plane_;
+  const ScalePlane& plane_;
   std::map<IssueId, Tally> tallies_;
 };
 
 /// Canonical bytes of one row to the image of the plane, checked on the way.
-void put_row(const Plane& plane, RangeCheck& check, int y, const std::byte* row, std::vector<float>& floats,
+void put_row(const ScalePlane& plane, RangeCheck& check, int y, const std::byte* row, std::vector<float>& floats,
              std::vector<uint32_t>& labels) {
   const auto width = static_cast<size_t>(plane.shape.width);
   const size_t channel_bytes = width * bytes_of(plane.shape.type);
@@ -110,7 +110,7 @@ void put_row(const Plane& plane, RangeCheck& check, int y, const std::byte* row,
 }
 
 /// Reads the part of `refs`, which are one or several names for the same pixels. True where all is right.
-bool read_plane(const ExrReader& reader, const Plane& plane, const std::vector<const PlaneRef*>& refs, IssueLog& log) {
+bool read_plane(const ExrReader& reader, const ScalePlane& plane, const std::vector<const PlaneRef*>& refs, IssueLog& log) {
   const PlaneShape& shape = refs.front()->shape;
   RangeCheck check(plane);
   std::vector<float> floats(static_cast<size_t>(shape.width));
@@ -228,9 +228,9 @@ void read_scale(const std::filesystem::path& path, Manifest& manifest, size_t i,
   // Only now is memory taken: the file has shown that it can hold what the manifest says.
   Scale& scale = manifest.bundle.scales[i];
   allocate_planes(scale, manifest.sizes[i], manifest.fragment_counts[i], readable);
-  const std::vector<Plane> planes = planes_of(scale);
+  const std::vector<ScalePlane> planes = planes_of(scale);
   for (const std::vector<const PlaneRef*>& group : grouped(refs)) {
-    const auto plane = std::ranges::find(planes, group[0]->key, &Plane::key);
+    const auto plane = std::ranges::find(planes, group[0]->key, &ScalePlane::key);
     if (!readable.contains(group[0]->key) || plane == planes.end()) continue;
     if (read_plane(reader, *plane, group, log))
       for (const PlaneRef* ref : group) read.insert(ref->key);

@@ -99,7 +99,7 @@ void write_payload(const Scale& scale, const PlaneRefs& refs, const fs::path& fo
   const fs::path path = folder / refs.at(0).file;
   if (holds_already(path, refs)) return;
   std::vector<ExrPart> parts;
-  for (const Plane& plane : planes_of(scale))
+  for (const ScalePlane& plane : planes_of(scale))
     if (parts.empty() || parts.back().shape.part != plane.shape.part) parts.push_back(exr_part(plane));
   SafeFile file(path, hook);
   if (hook) hook("write " + refs.at(0).file);

@@ -92,7 +92,7 @@ Json scale_json(const Scale& scale, const PlaneRefs& refs) {
 }
 
 PlaneRefs hash_planes(const Scale& scale) {
-  const std::vector<Plane> planes = planes_of(scale);
+  const std::vector<ScalePlane> planes = planes_of(scale);
   PlaneRefs refs(planes.size());
   parallel_for(0, static_cast<int>(planes.size()), [&](int i) {
     const auto at = static_cast<size_t>(i);

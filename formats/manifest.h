@@ -14,7 +14,7 @@ inline constexpr const char* kManifestName = "bundle.json";
 
 /// Where a plane lies and what it must hold.
 struct PlaneRef {
-  std::string key;  ///< as Plane::key
+  std::string key;  ///< as ScalePlane::key
   std::string file;
   PlaneShape shape;
   std::string pixel_hash;

@@ -17,9 +17,9 @@ const std::vector<std::string> kRgb = {"R", "G", "B"};
 template <class T>
 constexpr bool writable = !std::is_const_v<std::remove_reference_t<T>>;
 
-Plane plane(const std::string& key, const std::string& part, std::vector<std::string> channels, PixelType type,
+ScalePlane plane(const std::string& key, const std::string& part, std::vector<std::string> channels, PixelType type,
             V2i size, ChannelRange range) {
-  Plane result;
+  ScalePlane result;
   result.key = key;
   result.ranges.assign(channels.size(), range);
   result.shape = {part, std::move(channels), type, size.x, size.y};
@@ -32,8 +32,8 @@ V2i size_of(ImageT& image) {
 }
 
 template <class ImageT>
-Plane color_plane(const std::string& key, const std::string& part, ImageT& image) {
-  Plane result = plane(key, part, kRgb, PixelType::half, size_of(image), {0, kAnyFloat, IssueId::color_range});
+ScalePlane color_plane(const std::string& key, const std::string& part, ImageT& image) {
+  ScalePlane result = plane(key, part, kRgb, PixelType::half, size_of(image), {0, kAnyFloat, IssueId::color_range});
   result.get_floats = [&image](int c, int y, float* row) {
     for (int x = 0; x < image.width(); ++x) row[x] = image.row(y)[x][c];
   };
@@ -45,8 +45,8 @@ Plane color_plane(const std::string& key, const std::string& part, ImageT& image
 }
 
 template <class ImageT>
-Plane float_plane(const std::string& name, PixelType type, ImageT& image, ChannelRange range) {
-  Plane result = plane(name, name, {name}, type, size_of(image), range);
+ScalePlane float_plane(const std::string& name, PixelType type, ImageT& image, ChannelRange range) {
+  ScalePlane result = plane(name, name, {name}, type, size_of(image), range);
   result.get_floats = [&image](int, int y, float* row) { std::copy_n(image.row(y), image.width(), row); };
   if constexpr (writable<ImageT>)
     result.put_floats = [&image](int, int y, const float* row) { std::copy_n(row, image.width(), image.row(y)); };
@@ -54,8 +54,8 @@ Plane float_plane(const std::string& name, PixelType type, ImageT& image, Channe
 }
 
 template <class ImageT>
-Plane index_plane(ImageT& index, size_t classes) {
-  Plane result = plane("index", "index", {"index"}, PixelType::uint, size_of(index),
+ScalePlane index_plane(ImageT& index, size_t classes) {
+  ScalePlane result = plane("index", "index", {"index"}, PixelType::uint, size_of(index),
                        {0, static_cast<double>(classes) - 1, IssueId::index_range});
   result.get_labels = [&index](int, int y, uint32_t* row) { std::copy_n(index.row(y), index.width(), row); };
   if constexpr (writable<ImageT>)
@@ -66,8 +66,8 @@ Plane index_plane(ImageT& index, size_t classes) {
 }
 
 template <class PartitionT>
-Plane partition_plane(const std::string& name, PartitionT& partition) {
-  Plane result = plane(name, name, {"idx", "owner"}, PixelType::uint, size_of(partition.idx),
+ScalePlane partition_plane(const std::string& name, PartitionT& partition) {
+  ScalePlane result = plane(name, name, {"idx", "owner"}, PixelType::uint, size_of(partition.idx),
                        {0, static_cast<double>(partition.count()) - 1, IssueId::label_range});
   result.ranges[1] = {0, 8, IssueId::owner_range};
   result.get_labels = [&partition](int c, int y, uint32_t* row) {
@@ -96,9 +96,9 @@ void for_table_row(Table& table, int width, int y, Row* row, const Copy& copy) {
 }
 
 template <class Table>
-Plane fragment_class_plane(Table& fragments, V2i tile, size_t classes) {
+ScalePlane fragment_class_plane(Table& fragments, V2i tile, size_t classes) {
   const int width = tile.x;
-  Plane result = plane("fragmentClass", "fragmentClass", {"class"}, PixelType::uint, table_size(fragments.size(), tile),
+  ScalePlane result = plane("fragmentClass", "fragmentClass", {"class"}, PixelType::uint, table_size(fragments.size(), tile),
                        {0, static_cast<double>(classes) - 1, IssueId::fragment_class_range});
   result.get_labels = [&fragments, width](int, int y, uint32_t* row) {
     for_table_row(fragments, width, y, row, [](const Fragment& from, uint32_t& to) { to = from.class_idx; });
@@ -111,9 +111,9 @@ Plane fragment_class_plane(Table& fragments, V2i tile, size_t classes) {
 }
 
 template <class Table>
-Plane fragment_color_plane(Table& fragments, V2i tile) {
+ScalePlane fragment_color_plane(Table& fragments, V2i tile) {
   const int width = tile.x;
-  Plane result = plane("fragmentColor", "fragmentColor", kRgb, PixelType::float32, table_size(fragments.size(), tile),
+  ScalePlane result = plane("fragmentColor", "fragmentColor", kRgb, PixelType::float32, table_size(fragments.size(), tile),
                        {0, kAnyFloat, IssueId::color_range});
   result.get_floats = [&fragments, width](int c, int y, float* row) {
     for_table_row(fragments, width, y, row, [c](const Fragment& from, float& to) { to = from.mean_color[c]; });
@@ -131,9 +131,9 @@ ChannelRange range_of(const Map& map) {
 }
 
 template <class MapT>
-Plane map_plane(MapT& map) {
+ScalePlane map_plane(MapT& map) {
   const std::string key = kMapKey + map.name;
-  Plane result =
+  ScalePlane result =
       plane(key, key, map.channels == 3 ? kRgb : std::vector<std::string>{"Y"},
             map.source_bits <= 8 ? PixelType::half : PixelType::float32, size_of(map.planes[0]), range_of(map));
   result.get_floats = [&map](int c, int y, float* row) {
@@ -147,8 +147,8 @@ Plane map_plane(MapT& map) {
 }
 
 /// The dominant colours, which stand for the picture where it is not stored: few values, so they take little room.
-Plane palette_preview(const PrincipalVariation& colors) {
-  Plane result =
+ScalePlane palette_preview(const PrincipalVariation& colors) {
+  ScalePlane result =
       plane("preview", "preview", kRgb, PixelType::half, size_of(colors.index), {0, kAnyFloat, IssueId::color_range});
   PrincipalVariation classes{colors.palette, Image<uint8_t>(static_cast<int>(colors.palette.classes.size()), 1), {}};
   for (int k = 0; k < classes.index.width(); ++k) classes.index(k, 0) = static_cast<uint8_t>(k);
@@ -163,9 +163,9 @@ Plane palette_preview(const PrincipalVariation& colors) {
 }
 
 template <class ScaleT>
-std::vector<Plane> list_planes(ScaleT& scale) {
+std::vector<ScalePlane> list_planes(ScaleT& scale) {
   const V2i tile = scale.size();
-  std::vector<Plane> planes;
+  std::vector<ScalePlane> planes;
   if (scale.stores_exemplar) {
     planes.push_back(color_plane("preview", "preview", scale.exemplar));
     planes.push_back(color_plane("exemplar", "preview", scale.exemplar));
@@ -197,8 +197,8 @@ std::vector<Plane> list_planes(ScaleT& scale) {
 
 }  // namespace
 
-std::vector<Plane> planes_of(const Scale& scale) { return list_planes(scale); }
-std::vector<Plane> planes_of(Scale& scale) { return list_planes(scale); }
+std::vector<ScalePlane> planes_of(const Scale& scale) { return list_planes(scale); }
+std::vector<ScalePlane> planes_of(Scale& scale) { return list_planes(scale); }
 
 void allocate_planes(Scale& scale, V2i size, size_t fragment_count, const std::set<std::string>& keys) {
   const auto allocate = [&](const char* key, auto& image) {
@@ -236,7 +236,7 @@ OwnerOffset owner_of(uint32_t code) {
   return {static_cast<int8_t>(value % 3 - 1), static_cast<int8_t>(value / 3 - 1)};
 }
 
-ExrPart exr_part(const Plane& plane) {
+ExrPart exr_part(const ScalePlane& plane) {
   const auto fill = [plane](int y, std::byte* row) {
     const int width = plane.shape.width;
     const size_t channel_bytes = plane.shape.row_bytes() / plane.shape.channels.size();

@@ -20,7 +20,7 @@ struct ChannelRange {
 };
 
 /// One plane. Rows pass as float (half and float planes) or as uint32_t (uint planes), channel by channel.
-struct Plane {
+struct ScalePlane {
   std::string key;  ///< member of `planes` in the manifest, or "map.NAME"
   PlaneShape shape;
   std::vector<ChannelRange> ranges;  ///< one for each channel
@@ -33,8 +33,8 @@ struct Plane {
 inline constexpr const char* kMapKey = "map.";  ///< before the name of a map: its part
 
 /// The planes that a scale has, in the order in which they are written. `exemplar` shares the part `preview`.
-std::vector<Plane> planes_of(const Scale& scale);
-std::vector<Plane> planes_of(Scale& scale);
+std::vector<ScalePlane> planes_of(const Scale& scale);
+std::vector<ScalePlane> planes_of(Scale& scale);
 
 /// Makes the images of `size` and the tables that the planes `keys` fill; maps are in `scale.maps` already.
 void allocate_planes(Scale& scale, V2i size, size_t fragment_count, const std::set<std::string>& keys);
@@ -47,6 +47,6 @@ uint32_t owner_code(OwnerOffset owner);
 OwnerOffset owner_of(uint32_t code);
 
 /// A plane for write_exr.
-ExrPart exr_part(const Plane& plane);
+ExrPart exr_part(const ScalePlane& plane);
 
 }  // namespace texbake
