@@ -62,26 +62,25 @@ struct Offer {
 class Growing {
  public:
   Growing(const FragmentMap& map, const FragmentGraph& graph, const CirclePacking& packing)
-      : map_(map),
-        graph_(graph),
-        packing_(packing),
-        corner_(corner_fragments(map)),
-        clusters_(map, graph, anchors_of(map, packing, corner_)) {}
+      : map_(map), graph_(graph), packing_(packing), clusters_(map, graph) {}
 
-  std::optional<Clusters> run() {
-    for (const uint32_t f : corner_)
+  Clusters run() {
+    const std::vector<uint32_t> corner = corner_fragments(map_);
+    for (const uint32_t anchor : anchors_of(map_, packing_, corner)) clusters_.add_cluster(anchor);
+    for (const uint32_t f : corner)
       if (clusters_.of(f) == Clusters::kNone && clusters_.fits(f, 0)) clusters_.join(f, 0);
     for (uint32_t f = 0; f < graph_.count(); ++f)
       if (clusters_.of(f) != Clusters::kNone) offer_neighbours(f);
-    while (!offers_.empty()) {
-      const Offer offer = offers_.top();
-      offers_.pop();
-      if (clusters_.of(offer.fragment) != Clusters::kNone || !clusters_.fits(offer.fragment, offer.cluster)) continue;
-      clusters_.join(offer.fragment, offer.cluster);
-      offer_neighbours(offer.fragment);
+    take_offers();
+
+    for (uint32_t f = 0; f < graph_.count(); ++f) {
+      if (clusters_.of(f) != Clusters::kNone) continue;
+      clusters_.add_cluster(f);
+      packing_.centers.push_back(middle_of(map_, f));
+      packing_.power.push_back(0);
+      offer_neighbours(f);
+      take_offers();
     }
-    for (uint32_t f = 0; f < graph_.count(); ++f)
-      if (clusters_.of(f) == Clusters::kNone) return std::nullopt;
     return std::move(clusters_);
   }
 
@@ -94,26 +93,34 @@ class Growing {
                       link.other, cluster});
   }
 
+  void take_offers() {
+    while (!offers_.empty()) {
+      const Offer offer = offers_.top();
+      offers_.pop();
+      if (clusters_.of(offer.fragment) != Clusters::kNone || !clusters_.fits(offer.fragment, offer.cluster)) continue;
+      clusters_.join(offer.fragment, offer.cluster);
+      offer_neighbours(offer.fragment);
+    }
+  }
+
   const FragmentMap& map_;
   const FragmentGraph& graph_;
-  const CirclePacking& packing_;
-  std::vector<uint32_t> corner_;
+  CirclePacking packing_;
   Clusters clusters_;
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers_;
 };
 
 }  // namespace
 
-Clusters::Clusters(const FragmentMap& map, const FragmentGraph& graph, std::vector<uint32_t> anchors)
-    : map_(map),
-      graph_(graph),
-      anchors_(std::move(anchors)),
-      cluster_of_(graph.count(), kNone),
-      areas_(anchors_.size(), 0) {
-  for (uint32_t cluster = 0; cluster < anchors_.size(); ++cluster) {
-    boxes_.push_back(box_of(anchors_[cluster], cluster));
-    join(anchors_[cluster], cluster);
-  }
+Clusters::Clusters(const FragmentMap& map, const FragmentGraph& graph)
+    : map_(map), graph_(graph), cluster_of_(graph.count(), kNone) {}
+
+void Clusters::add_cluster(uint32_t anchor) {
+  const auto cluster = static_cast<uint32_t>(anchors_.size());
+  anchors_.push_back(anchor);
+  areas_.push_back(0);
+  boxes_.push_back(box_of(anchor, cluster));
+  join(anchor, cluster);
 }
 
 Clusters::Box Clusters::box_of(uint32_t fragment, uint32_t cluster) const {
@@ -168,8 +175,7 @@ void Clusters::tighten() {
     boxes_[cluster_of_[f]] = joined(boxes_[cluster_of_[f]], box_of(f, cluster_of_[f]));
 }
 
-std::optional<Clusters> cluster_fragments(const FragmentMap& map, const FragmentGraph& graph,
-                                          const CirclePacking& packing) {
+Clusters cluster_fragments(const FragmentMap& map, const FragmentGraph& graph, const CirclePacking& packing) {
   return Growing(map, graph, packing).run();
 }
 

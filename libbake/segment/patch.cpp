@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "libbake/base/error.h"
 #include "libbake/segment/cluster.h"
@@ -37,30 +37,19 @@ void check_count(int count, const FragmentMap& fragments) {
                             kLeastCount, count));
 }
 
-/// The widest and highest fragment extents: what the message of a failure needs.
-V2i largest_extent(const FragmentGraph& graph) {
-  V2i largest(0, 0);
-  for (const TorusBox& box : graph.boxes)
-    largest = {std::max(largest.x, box.extent.x), std::max(largest.y, box.extent.y)};
-  return largest;
-}
-
+/// Of several packings, the first that needs no cluster beyond `count`, else the one that needs the fewest.
 Clusters clusters_of(const FragmentMap& fragments, const FragmentGraph& graph, int count, uint32_t seed) {
   std::vector<V2d> middles;
   for (const V2i& c : fragments.partition.centers) middles.push_back({c.x + 0.5, c.y + 0.5});
-  const V2i size = fragments.partition.size();
+  std::optional<Clusters> best;
   for (uint32_t attempt = 0; attempt < kAttempts; ++attempt) {
     const CirclePacking packing =
-        balance(pack_circles(size, count, seed, attempt), middles, fragments.partition.areas_px);
-    if (auto clusters = cluster_fragments(fragments, graph, packing)) return *std::move(clusters);
+        balance(pack_circles(fragments.partition.size(), count, seed, attempt), middles, fragments.partition.areas_px);
+    Clusters clusters = cluster_fragments(fragments, graph, packing);
+    if (!best || clusters.count() < best->count()) best.emplace(std::move(clusters));
+    if (best->count() == static_cast<size_t>(count)) break;
   }
-  const V2i largest = largest_extent(graph);
-  throw Error(ErrorKind::infeasible,
-              fmt::format("patch: expected {} patches of at most {} x {} texels, under half the tile, found none in {} "
-                          "packings of {} fragments of up to {} x {} texels; ask for a --count of {} or more, or run "
-                          "fragment with a smaller --max-area",
-                          count, max_extent(size.x), max_extent(size.y), kAttempts, graph.count(), largest.x, largest.y,
-                          std::max(kSafeCount, count + 1)));
+  return *std::move(best);
 }
 
 /// The patch of each texel, numbered by their first texel in row order.

@@ -31,9 +31,10 @@ PatchOptions resolve(const PatchOptions& options, const FragmentMap& fragments);
 
 /// Packs circles on the torus, the first over the corner of the tile, and clusters the fragments that lie in them, so
 /// that patches are connected, of similar area and under half the tile on each axis; then moves single fragments across
-/// their borders, towards equal areas and high contrast. Patches are numbered by their first texel in row order. Throws
-/// Error(infeasible) when there are fewer fragments than patches, for fewer than five patches, and when several
-/// packings give no such clusters.
+/// their borders, towards equal areas and high contrast. Patches are numbered by their first texel in row order. There
+/// are more than asked for where no packing of several tried keeps so few under half the tile: few patches, large
+/// fragments, or a very long tile. Throws Error(infeasible) when there are fewer fragments than patches, and for fewer
+/// than five patches, which cannot all be under half the tile.
 PatchMap patch(const FragmentMap& fragments, const PatchOptions& options = {}, const Progress& progress = {});
 
 /// How even the patches are, and how many hide the borders of the tile.

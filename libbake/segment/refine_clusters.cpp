@@ -40,7 +40,7 @@ class Refiner {
  private:
   double cost_of(const FragmentLink& link) const {
     const double contrast = mean_delta_e_ > 0 ? static_cast<double>(link.delta_e) / mean_delta_e_ : 0;
-    return link.length_px / std::sqrt(fair_) / (1 + contrast);
+    return link.length_px / std::sqrt(fair_) / (1 + contrast * contrast * contrast);
   }
 
   double imbalance(double area) const { return balance_ * (area / fair_ - 1) * (area / fair_ - 1); }
