@@ -11,9 +11,9 @@
 namespace texbake {
 
 struct ConvertOptions {
-  std::optional<int> classes;  ///< K
-  float height_weight = 30;    ///< ΔE per unit height, when a height is given
-  float along_weight = 0.1f;   ///< 0: eq. 1; 1: ordinary K-means
+  std::optional<int> classes{};  ///< K
+  float height_weight = 30;      ///< ΔE per unit height, when a height is given
+  float along_weight = 0.1f;     ///< 0: eq. 1; 1: ordinary K-means; see `convert`
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -54,10 +54,16 @@ struct Conversion {
 ConvertOptions resolve(const ConvertOptions& options, ImageView<const V3f> exemplar,
                        ImageView<const float> height_01 = {});
 
-/// `exemplar` is a tile in linear Rec.709, not empty; `height_01` is empty or of the same size. The classes are found
-/// on all texels up to 2^18 of them, beyond on a sample; every texel then gets the nearest class, and D_i and V_i are
-/// mean and principal axis of the colours of all its texels. Only with along_weight = 0 can the palette come out
-/// smaller than `classes`: colours on one line are one class.
+/// `exemplar` is a tile in linear Rec.709, not empty; `height_01` is empty or of the same size. K and the start are
+/// chosen on a sample of at most 2^14 texels, the classes are refined on at most 2^18; then every texel gets the
+/// nearest class, and D_i and V_i are mean and principal axis of the colours of all its texels, whatever their heights.
+/// The palette comes out smaller than `classes` only where colours are one to the eye (0.001 ΔE), or with along_weight
+/// = 0, for which colours on one line are one class.
+///
+/// The weight of the distance along the line is what eq. 1 lacks: lines have no ends, so that colours far apart which
+/// happen to lie on one line share a class, and where lines cross the classes mix from texel to texel. On fourteen
+/// photographs with K = 4 and 6 the default, against eq. 1 alone, leaves a quarter fewer connected pieces of one class
+/// and brings the dominant colours 23 and 34 % nearer to the picture, for 12 and 19 % more colour error.
 Conversion convert(ImageView<const V3f> exemplar, ImageView<const float> height_01, const ConvertOptions& options = {},
                    const Progress& progress = {});
 
