@@ -1,0 +1,68 @@
+// Reads a picture of any format into planes of linear light, data, or normal vectors.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "formats/limits.h"
+#include "libbake/base/image.h"
+#include "libbake/base/options.h"
+#include "libbake/base/torus.h"
+
+namespace texbake {
+
+inline constexpr int kMaxPictureSide = kMaxTileSize;
+
+/// What the numbers of a picture's file mean.
+enum class InputSpace {
+  automatic,  ///< what the file says; else sRGB for integers and linear for floats
+  srgb,
+  linear,
+};
+template <>
+struct EnumNames<InputSpace> {
+  static constexpr std::pair<InputSpace, std::string_view> values[] = {
+      {InputSpace::automatic, "auto"}, {InputSpace::srgb, "srgb"}, {InputSpace::linear, "linear"}};
+};
+
+/// What a picture is for.
+enum class PictureRole {
+  color,   ///< light: three channels, decoded to linear Rec.709; grey is promoted
+  data,    ///< numbers such as roughness or height, without any curve: one or three channels, integers to 0 … 1
+  normal,  ///< vectors: three channels, decoded to −1 … 1, not renormalised
+};
+
+struct Picture {
+  int channels = 0;        ///< 1 or 3
+  Image<float> planes[3];  ///< `channels` of them, all of the same size
+  int source_bits = 8;     ///< of one sample in the file
+  bool is_float = false;   ///< the file holds floating point
+  std::string space;       ///< the curve that was undone: "srgb", "linear", "gamma 1.8"; "linear" unless color
+  bool alpha_dropped = false;
+  std::string name;                ///< of the file, without its folder
+  std::string sha256;              ///< of the file, 64 hex digits
+  uint64_t size_bytes = 0;         ///< of the file
+  std::vector<std::string> notes;  ///< what a person should know, one sentence each, starting with the path
+
+  int width() const { return planes[0].width(); }
+  int height() const { return planes[0].height(); }
+};
+
+/// Reads the first picture of the file at `path`, upright: the EXIF orientation is applied.
+///
+/// Integers of b bits are divided by 2^b − 1; normal maps follow formats/srgb_codes.h. A float normal map that holds
+/// negative components is taken as vectors already, else as 0 … 1. `space` counts for PictureRole::color alone.
+/// Palettes and 1, 2, 4 bits are expanded. Alpha is dropped, and premultiplied colour divided by it. Data whose three
+/// channels are equal everywhere has one channel. Colours are ≥ 0 and ≤ 65504, the largest half float: negative ones
+/// become 0.
+///
+/// Throws Error(io) when the file cannot be opened; Error(unsupported) for deep or volume pictures and turned normal
+/// maps; Error(bad_data) for what is not a picture, is cut off or damaged, is larger than kMaxPictureSide, has a number
+/// of channels that does not suit `role`, or holds NaN, infinity or colours above 65504 (their count and first texel).
+Picture read_picture(const std::string& path, InputSpace space, PictureRole role);
+
+/// Three planes as one image. All have the same size.
+Image<V3f> interleave(const Image<float> (&planes)[3]);
+
+}  // namespace texbake
