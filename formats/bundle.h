@@ -63,10 +63,10 @@ struct Source {
 struct Stage {
   std::string verb;
   int version = 1;
-  Json parameters;     ///< every effective parameter, automatic values resolved; keys are long flags, in kebab-case
-  Json figures;        ///< what was measured; never times; keys in camelCase
-  std::string input;   ///< state_hash of the bundle that the stage read
-  std::string output;  ///< state_hash of the bundle with the stage's result
+  Json parameters = {};    ///< every effective parameter, automatic values resolved; keys are long flags, in kebab-case
+  Json figures = {};       ///< what was measured; never times; keys in camelCase
+  std::string input = {};  ///< state_hash of the bundle that the stage read
+  std::string output = {};  ///< state_hash of the bundle with the stage's result
 };
 
 struct Bundle {

@@ -110,7 +110,8 @@ void put_row(const ScalePlane& plane, RangeCheck& check, int y, const std::byte*
 }
 
 /// Reads the part of `refs`, which are one or several names for the same pixels. True where all is right.
-bool read_plane(const ExrReader& reader, const ScalePlane& plane, const std::vector<const PlaneRef*>& refs, IssueLog& log) {
+bool read_plane(const ExrReader& reader, const ScalePlane& plane, const std::vector<const PlaneRef*>& refs,
+                IssueLog& log) {
   const PlaneShape& shape = refs.front()->shape;
   RangeCheck check(plane);
   std::vector<float> floats(static_cast<size_t>(shape.width));

@@ -12,7 +12,7 @@
 #include <OpenEXR/ImfThreading.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/task_arena.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <bit>
@@ -37,8 +37,8 @@ Imf::PixelType imf_type(PixelType type) {
 
 /// As many threads for compression as the caller allows everything else.
 int use_threads() {
-  const int count = tbb::this_task_arena::max_concurrency();
-  const int threads = count > 1 ? count : 0;
+  const auto count = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const int threads = count > 1 ? static_cast<int>(count) : 0;
   if (Imf::globalThreadCount() != threads) Imf::setGlobalThreadCount(threads);
   return threads;
 }

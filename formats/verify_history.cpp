@@ -29,7 +29,8 @@ void find_nulls(const Json& json, const std::string& pointer, IssueLog& log) {
 }
 
 void check_counts(const Stage& stage, const Scale& scale, const std::string& pointer, IssueLog& log) {
-  for (const auto& [key, counted] : countable_figures(stage.verb, scale).items()) {
+  const Json countable = countable_figures(stage.verb, scale);
+  for (const auto& [key, counted] : countable.items()) {
     const auto figure = stage.figures.find(key);
     if (figure != stage.figures.end() && figure->is_number() && *figure != counted)
       log.add({IssueId::figure_implausible,
