@@ -14,6 +14,9 @@
 
 namespace texbake {
 
+/// The number of the semantics that shaders/README.md specifies.
+inline constexpr int kShaderSemantics = 1;
+
 /// How the values of a map change with the content that shows them.
 enum class MapKind {
   plain,           ///< taken as they are

@@ -19,15 +19,18 @@ Texel texel_of(int64_t x, int64_t y, V2i n) {
 TEST(Content, DecisionsEqualTheForwardPainters) {
   const V2i n(40, 24);
   for (const int64_t far : {int64_t{0}, (int64_t{1} << 32) * n.x, -(int64_t{1} << 31) * n.x}) {
-    const SmallTile tile = random_tile(n, 7, Contents::moved, 11);
+    const SmallTile tile = random_tile(n, 7, Contents::turned, 11);
     const EvaluatorPlanes planes = tile.planes();
     glsl::Program program = program_of(planes, 3);
     const Painting painting = Painter(tile, 3).paint(far - 60, far - 60, 120, 120);
     for (int j = 0; j < 120; ++j)
       for (int i = 0; i < 120; ++i) {
-        const Decision decision = program.decide(texel_of(far - 60 + i, far - 60 + j, n));
+        const Texel texel = texel_of(far - 60 + i, far - 60 + j, n);
+        const Decision decision = program.decide(texel);
+        const glsl::Source source = program.source_of(texel, decision);
         ASSERT_EQ(decision.patch_idx, painting.patch(i, j));
         ASSERT_EQ(decision.content, painting.content(i, j));
+        ASSERT_EQ(V2i(source.nearest.x, source.nearest.y), painting.source(i, j));
       }
   }
 }

@@ -14,7 +14,8 @@ struct Painting {
   Image<V3f> color;
   Image<int> patch;  ///< −1 where nothing was painted
   Image<int> content;
-  Image<int> times;  ///< how often a texel was painted: 1 everywhere
+  Image<V2i> source;  ///< nearest texel of the tile
+  Image<int> times;   ///< how often a texel was painted: 1 everywhere
 
   bool covers(int64_t x, int64_t y) const {
     return x >= x0 && y >= y0 && x < x0 + color.width() && y < y0 + color.height();
@@ -31,6 +32,7 @@ class Painter {
                       Image<V3f>(width, height),
                       Image<int>(width, height, -1),
                       Image<int>(width, height),
+                      Image<V2i>(width, height),
                       Image<int>(width, height)};
     const V2i n = tile_.size();
     for (int64_t ky = floor_div(y0, n.y) - 1; ky <= floor_div(y0 + height, n.y) + 1; ++ky)
@@ -77,8 +79,16 @@ class Painter {
         painting.color(i, j) = content_color(content, c, dx, dy);
         painting.patch(i, j) = patch;
         painting.content(i, j) = number;
+        painting.source(i, j) = nearest_source(content, c, dx, dy);
         ++painting.times(i, j);
       }
+  }
+
+  V2i nearest_source(const Content& content, V2i c, int dx, int dy) const {
+    const double x = (double{1} * content.a * dx - double{1} * content.b * dy) / 65536;
+    const double y = (double{1} * content.b * dx + double{1} * content.a * dy) / 65536;
+    const V2i nearest(static_cast<int>(std::floor(x + 0.5)), static_cast<int>(std::floor(y + 0.5)));
+    return wrap(c + content.translation + nearest, tile_.size());
   }
 
   /// The base at c + t + M d, blended between texel centres, the place rounded to 1/256 texel.

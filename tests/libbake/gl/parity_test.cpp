@@ -2,27 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "libbake/base/error.h"
+#include "gl_test_context.h"
 #include "tests/libbake/eval/small_tile.h"
 
 namespace texbake {
 namespace {
 
-/// Skips the test, loudly, where there is no OpenGL.
-std::unique_ptr<GlContext> context_of(ShaderLanguage language) {
-  try {
-    return std::make_unique<GlContext>(GlContextOptions{language, std::nullopt});
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::unsupported) throw;
-    std::printf("SKIPPED, no OpenGL: %s\n", error.what());
-    return nullptr;
-  }
-}
-
 class Parity : public testing::TestWithParam<ShaderLanguage> {
  protected:
   void SetUp() override {
-    context_ = context_of(GetParam());
+    context_ = test_context(GetParam());
     if (!context_) GTEST_SKIP() << "no OpenGL";
   }
   ParityReport check(const EvaluatorPlanes& planes, const ParityOptions& options) {

@@ -1,0 +1,125 @@
+// Writes the golden evaluation vectors, computed by the slow painter of the tests, never by the evaluator.
+// usage: regenerate_golden FOLDER. A file of the same semantics that would change is left alone: exit 1.
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "tests/libbake/eval/painter.h"
+
+namespace texbake {
+namespace {
+
+/// Floats print in the fewest digits that give them back.
+using Json =
+    nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
+
+struct Point {
+  int64_t x_256, y_256;  ///< from the infinite texture's origin
+  uint32_t seed;
+};
+
+/// Points on centres, lines and corners of texels, at borders of the tile, and anywhere; near and far.
+std::vector<Point> points_of(V2i n) {
+  Random random(2024, 5);
+  const int64_t kTiles[] = {0, 1, -1, 5, -7, int64_t{1} << 31, -(int64_t{1} << 31), (int64_t{1} << 32) - 1, 987654321};
+  const auto coordinate = [&](int side) {
+    const int64_t tile = kTiles[random.below(9)];
+    const int64_t texel = random.below(3) == 0 ? static_cast<int64_t>(random.below(3)) - 1
+                                               : static_cast<int64_t>(random.below(static_cast<uint32_t>(side)));
+    const int64_t kFractions[] = {0, 127, 128, 129, 255, random.below(256)};
+    return (tile * side + texel) * 256 + kFractions[random.below(6)];
+  };
+  std::vector<Point> points;
+  for (int i = 0; i < 256; ++i) {
+    const int64_t x = coordinate(n.x), y = coordinate(n.y);
+    points.push_back({x, y, i % 3 == 0 ? 0u : random.next()});
+  }
+  return points;
+}
+
+Json color_json(const V3f& c) { return {c.x, c.y, c.z}; }
+
+Json place_json(int64_t at_256, int side) {
+  const int64_t tile = Painter::floor_div(at_256, int64_t{side} * 256);
+  return {static_cast<uint32_t>(static_cast<uint64_t>(tile)), at_256 - tile * side * 256};
+}
+
+Json point_json(const SmallTile& tile, const Point& point) {
+  const V2i n = tile.size();
+  const int64_t left = (point.x_256 - 128) >> 8, top = (point.y_256 - 128) >> 8;
+  const Painting near = Painter(tile, point.seed).paint(left, top, 2, 2);
+  const int i = static_cast<int>((point.x_256 >> 8) - left), j = static_cast<int>((point.y_256 >> 8) - top);
+  const double wx = static_cast<double>(point.x_256 - 128 - left * 256) / 256;
+  const double wy = static_cast<double>(point.y_256 - 128 - top * 256) / 256;
+  const Json x = place_json(point.x_256, n.x), y = place_json(point.y_256, n.y);
+  const auto& color = near.color;
+  return {{"tile", {x[0], y[0]}},
+          {"offset_256", {x[1], y[1]}},
+          {"seed", point.seed},
+          {"patch", near.patch(i, j)},
+          {"content", near.content(i, j)},
+          {"source", {near.source(i, j).x, near.source(i, j).y}},
+          {"nearest", color_json(color(i, j))},
+          {"bilinear", color_json(Painter::blend(color(0, 0), color(1, 0), color(0, 1), color(1, 1), wx, wy))}};
+}
+
+Json tile_json(const SmallTile& tile) {
+  const Partition& partition = tile.patches.partition;
+  Json json = {{"semantics", kShaderSemantics}, {"size", {tile.size().x, tile.size().y}}};
+  json["content_count"] = tile.contents.content_count;
+  for (const V2i& c : partition.centers) json["centers"].push_back({c.x, c.y});
+  for (const Content& c : tile.contents.contents) {
+    const V2i t = wrap(c.translation, tile.size());
+    json["contents"].push_back({t.x, t.y, static_cast<int>(c.scale * 65536), c.a, c.b});
+  }
+  for (const uint32_t idx : partition.idx) json["patch_idx"].push_back(idx);
+  for (const OwnerOffset& owner : partition.owner) {
+    json["owner_x"].push_back(owner.x);
+    json["owner_y"].push_back(owner.y);
+  }
+  for (const V3f& c : tile.base) json["base"].push_back(color_json(c));
+  return json;
+}
+
+/// Members and points one to a line.
+std::string text_of(const SmallTile& tile) {
+  std::string text = "{\n";
+  const Json members = tile_json(tile);
+  for (const auto& [key, value] : members.items()) text += "\"" + key + "\": " + value.dump() + ",\n";
+  text += "\"points\": [\n";
+  const std::vector<Point> points = points_of(tile.size());
+  for (size_t i = 0; i < points.size(); ++i)
+    text += point_json(tile, points[i]).dump() + (i + 1 < points.size() ? ",\n" : "\n");
+  return text + "]\n}\n";
+}
+
+bool write(const std::string& path, const std::string& text) {
+  std::ifstream old(path, std::ios::binary);
+  const std::string before((std::istreambuf_iterator<char>(old)), std::istreambuf_iterator<char>());
+  if (before == text) return true;
+  if (!before.empty() && Json::parse(before).at("semantics") == kShaderSemantics) {
+    std::fprintf(stderr,
+                 "%s: would change within semantics %d. A change of meaning raises the number in prepare.h and "
+                 "shaders/README.md; to add points, remove the file first.\n",
+                 path.c_str(), kShaderSemantics);
+    return false;
+  }
+  std::ofstream file(path, std::ios::binary);
+  return static_cast<bool>(file << text << std::flush);
+}
+
+/// All files; false where one was not written.
+bool write_all(const std::string& folder) {
+  bool done = write(folder + "/plain.json", text_of(random_tile({16, 16}, 1, Contents::moved, 101)));
+  done = write(folder + "/moved.json", text_of(random_tile({32, 24}, 5, Contents::moved, 102))) && done;
+  return write(folder + "/turned.json", text_of(random_tile({24, 32}, 4, Contents::turned, 103))) && done;
+}
+
+}  // namespace
+}  // namespace texbake
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  return texbake::write_all(argv[1]) ? 0 : 1;
+}

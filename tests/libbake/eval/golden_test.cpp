@@ -1,0 +1,31 @@
+// The golden evaluation vectors on the processor.
+#include "tests/golden/golden.h"
+
+#include <gtest/gtest.h>
+
+namespace texbake {
+namespace {
+
+V3f color_at(const Frame& frame) {
+  const glsl::vec4& value = frame.values(0, 0);
+  return {value.x, value.y, value.z};
+}
+
+TEST(Golden, TheProcessorGivesEveryVector) {
+  for (const char* name : kGoldenNames) {
+    const Golden golden = read_golden(name);
+    EXPECT_EQ(golden.semantics, kShaderSemantics);
+    EXPECT_EQ(golden.points.size(), 256u);
+    for (const GoldenPoint& point : golden.points) {
+      const Window nearest = point.window(Filter::nearest), bilinear = point.window(Filter::bilinear);
+      const Frame frame = reference_frame(golden.planes, nearest, golden.planes.base);
+      EXPECT_EQ(frame.decisions(0, 0), point.decision) << name;
+      EXPECT_EQ(color_at(frame), point.nearest) << name;
+      EXPECT_EQ(color_at(reference_frame(golden.planes, bilinear, golden.planes.base)), point.bilinear) << name;
+      EXPECT_EQ(render_rows(golden.planes, bilinear, 0, 1)(0, 0), point.bilinear) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texbake

@@ -1,0 +1,34 @@
+// The golden evaluation vectors on OpenGL.
+#include <gtest/gtest.h>
+
+#include "gl_test_context.h"
+#include "libbake/gl/gl_renderer.h"
+#include "tests/golden/golden.h"
+
+namespace texbake {
+namespace {
+
+V3f color_at(const Frame& frame) {
+  const glsl::vec4& value = frame.values(0, 0);
+  return {value.x, value.y, value.z};
+}
+
+TEST(GoldenGl, TheShaderGivesEveryVector) {
+  for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
+    const auto context = test_context(language);
+    if (!context) GTEST_SKIP() << "no OpenGL";
+    for (const char* name : kGoldenNames) {
+      const Golden golden = read_golden(name);
+      GlRenderer renderer(*context, golden.planes);
+      for (const GoldenPoint& point : golden.points) {
+        const Frame frame = renderer.draw(point.window(Filter::nearest), golden.planes.base);
+        EXPECT_EQ(frame.decisions(0, 0), point.decision) << name;
+        EXPECT_EQ(color_at(frame), point.nearest) << name;
+        EXPECT_EQ(color_at(renderer.draw(point.window(Filter::bilinear), golden.planes.base)), point.bilinear) << name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace texbake
