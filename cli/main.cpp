@@ -1,2 +1,3 @@
-#include "formats/bundle.h"
-int main() { return 0; }
+#include "cli/program.h"
+
+int main(int argc, char** argv) { return texbake::run_program(argc, argv); }

@@ -1,0 +1,46 @@
+// Everything that decides what bake makes, and its three spellings: flags, recipe, provenance.
+#pragma once
+
+#include <string>
+
+#include "cli/convert_stage.h"
+#include "libbake/content/select_contents.h"
+#include "libbake/segment/patch.h"
+
+namespace texbake {
+
+struct BakeRequest {
+  ConvertRequest convert;
+  FragmentOptions fragment;
+  PatchOptions patch;
+  SelectContentsOptions select_contents;
+};
+
+/// Calls `visit(verb, options)` for every options struct of the chain, in its order.
+template <class Request, class Visit>
+void for_each_stage_options(Request& request, const Visit& visit) {
+  for_each_options(request.convert, [&](auto& options) { visit("convert", options); });
+  visit("fragment", request.fragment);
+  visit("patch", request.patch);
+  visit("select-contents", request.select_contents);
+}
+
+/// A recipe: the files, and for each stage what is asked of it, null where the stage chooses (cli/recipe.schema.json).
+inline constexpr const char* kRecipeKind = "texbake.recipe";
+inline constexpr const char* kRecipeExtension = ".json";
+
+/// True for a path that names a recipe and not a picture.
+bool is_recipe(const std::string& path);
+
+/// The recipe that makes a bundle with these sources and stages. Throws Error(bad_data) when they did not come from
+/// this chain.
+Json recipe_of(const Bundle& bundle);
+
+/// Reads a recipe. Files are found beside it. Throws Error(io), or Error(bad_data) with the place in the recipe.
+BakeRequest read_recipe(const std::string& path);
+
+/// True when the bundle at `path` is whole, was made by this version of the program, from files of these contents and
+/// with this request. Throws Error(io) when a picture cannot be read.
+bool is_up_to_date(const std::string& path, const BakeRequest& request);
+
+}  // namespace texbake

@@ -1,0 +1,22 @@
+// Where a verb's output goes, checked before the work is done and not after.
+#pragma once
+
+#include <string>
+
+namespace texbake {
+
+inline constexpr const char* kBundleExtension = ".texbundle";
+
+/// The path a bundle of `input` gets when none is given: `leaves.texbundle` in the working folder for `dir/leaves.jpg`.
+std::string default_bundle_path(const std::string& input);
+/// `leaves.png` in the working folder for `dir/leaves.texbundle`.
+std::string default_picture_path(const std::string& bundle, const std::string& extension);
+
+/// Throw Error(io) when something stands at `path` that is not a bundle (not a file), or its folder cannot be written.
+void check_bundle_target(const std::string& path);
+void check_file_target(const std::string& path);
+
+/// Throws Error(io) when `path` is not a bundle's folder: what was found instead.
+void check_bundle_source(const std::string& path);
+
+}  // namespace texbake

@@ -1,0 +1,42 @@
+// A verb of texbake: how it is told on the command line and what it then does.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "formats/bundle.h"
+
+namespace texbake {
+
+/// What a verb has to say when it is done.
+struct Outcome {
+  ExitCode code = ExitCode::done;
+  std::string text;              ///< to stdout, for people; may be empty
+  Json result = Json::object();  ///< to stdout with --json, as the member "result"
+};
+
+/// Runs the verb with the options that were parsed. Throws Error.
+using Action = std::function<Outcome(Console&)>;
+
+struct Command {
+  std::string verb;
+  std::string summary;  ///< one line
+  std::string example;  ///< complete command lines
+  /// Adds the verb's options to `app`; the action it returns is called after the parse and owns what the flags fill.
+  std::function<Action(CLI::App& app)> declare;
+};
+
+Command bake_command();
+Command convert_command();
+Command fragment_command();
+Command info_command();
+Command patch_command();
+Command render_command();
+Command select_contents_command();
+Command verify_command();
+
+}  // namespace texbake

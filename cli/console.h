@@ -1,0 +1,62 @@
+// What texbake says to people, on stderr: warnings, notes, progress. Results go to stdout and are not its business.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "libbake/base/options.h"
+#include "libbake/base/progress.h"
+
+namespace texbake {
+
+/// When progress is shown.
+enum class ProgressMode {
+  automatic,  ///< when stderr is a terminal
+  always,     ///< a line that is rewritten
+  never,
+  json,  ///< one JSON object for each step, a line each
+};
+template <>
+struct EnumNames<ProgressMode> {
+  static constexpr std::pair<ProgressMode, std::string_view> values[] = {{ProgressMode::automatic, "auto"},
+                                                                         {ProgressMode::always, "always"},
+                                                                         {ProgressMode::never, "never"},
+                                                                         {ProgressMode::json, "json"}};
+};
+
+/// How much is said. Errors are always said.
+enum class Verbosity { quiet, normal, verbose };
+
+class ProgressLine;
+
+class Console {
+ public:
+  Console(Verbosity verbosity, ProgressMode progress);
+  ~Console();
+
+  void error(const std::string& text);
+  void warning(const std::string& text);  ///< also kept for the JSON result
+  void note(const std::string& text);     ///< unless quiet
+  void detail(const std::string& text);   ///< only when verbose
+
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// Begins a step that takes time and returns what it calls to tell how far it is. Ends the step before it.
+  Progress step(const std::string& name);
+  /// Ends the running step; with -v its seconds are told.
+  void finish_step();
+
+ private:
+  void say(const char* label, const char* color, const std::string& text);
+
+  Verbosity verbosity_;
+  bool colored_;
+  std::vector<std::string> warnings_;
+  std::unique_ptr<ProgressLine> line_;
+  std::string step_;
+  std::chrono::steady_clock::time_point step_begin_;
+};
+
+}  // namespace texbake

@@ -1,0 +1,32 @@
+#include "cli/evaluator_input.h"
+
+namespace texbake {
+namespace {
+
+template <class T>
+const T* pointer_to(const std::optional<T>& part) {
+  return part ? &*part : nullptr;
+}
+
+MapKind kind_of(const Map& map) {
+  if (map.convention == "opengl") return MapKind::normal_opengl;
+  if (map.convention == "directx") return MapKind::normal_directx;
+  return MapKind::plain;
+}
+
+}  // namespace
+
+EvaluatorInput evaluator_input(const Scale& scale) {
+  EvaluatorInput input;
+  input.base = scale.base();
+  input.patches = pointer_to(scale.patches);
+  input.contents = pointer_to(scale.contents);
+  input.fragments = pointer_to(scale.fragments);
+  input.colors = pointer_to(scale.colors);
+  for (const Map& map : scale.maps)
+    input.maps.push_back({map.name, kind_of(map), {map.planes, map.planes + map.channels}});
+  if (scale.height) input.maps.push_back({"height", MapKind::height, {*scale.height}});
+  return input;
+}
+
+}  // namespace texbake

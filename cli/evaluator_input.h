@@ -1,0 +1,13 @@
+// Hands the parts of a bundle to the evaluator.
+#pragma once
+
+#include "formats/bundle.h"
+#include "libbake/eval/prepare.h"
+
+namespace texbake {
+
+/// What the evaluator reads of `scale`: views into it, which must not outlive it. Its height map, where there is one,
+/// is the map "height".
+EvaluatorInput evaluator_input(const Scale& scale);
+
+}  // namespace texbake

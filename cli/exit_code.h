@@ -1,0 +1,70 @@
+// How a run of texbake ended, the same for every verb. A count is never an exit code.
+#pragma once
+
+#include "libbake/base/error.h"
+
+namespace texbake {
+
+enum class ExitCode {
+  done = 0,
+  no = 1,           ///< the question was answered no: verify found the bundle invalid or different
+  usage = 2,        ///< an unknown verb, option or value
+  bad_data = 3,     ///< an input was read but does not hold what it must
+  io = 4,           ///< an input cannot be read, or an output cannot be written
+  unsupported = 5,  ///< a version or a feature this program does not know
+  infeasible = 6,   ///< the algorithm cannot satisfy the request
+  limit = 7,        ///< a limit the user set was reached
+  internal = 8,     ///< a mistake of the program
+  // 128 + the number of the signal that ended the program, temporary files removed:
+  interrupted = 130,
+  terminated = 143,
+};
+
+inline ExitCode exit_code_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage:
+      return ExitCode::usage;
+    case ErrorKind::bad_data:
+      return ExitCode::bad_data;
+    case ErrorKind::io:
+      return ExitCode::io;
+    case ErrorKind::unsupported:
+      return ExitCode::unsupported;
+    case ErrorKind::infeasible:
+      return ExitCode::infeasible;
+    case ErrorKind::limit:
+      return ExitCode::limit;
+  }
+  return ExitCode::internal;
+}
+
+/// The name of an exit code in JSON output.
+inline const char* exit_name(ExitCode code) {
+  switch (code) {
+    case ExitCode::done:
+      return "done";
+    case ExitCode::no:
+      return "no";
+    case ExitCode::usage:
+      return "usage";
+    case ExitCode::bad_data:
+      return "bad-data";
+    case ExitCode::io:
+      return "io";
+    case ExitCode::unsupported:
+      return "unsupported";
+    case ExitCode::infeasible:
+      return "infeasible";
+    case ExitCode::limit:
+      return "limit";
+    case ExitCode::internal:
+      return "internal";
+    case ExitCode::interrupted:
+      return "interrupted";
+    case ExitCode::terminated:
+      return "terminated";
+  }
+  return "internal";
+}
+
+}  // namespace texbake

@@ -1,0 +1,47 @@
+// texbake info: bundle → what it holds, as text, JSON or recipe.
+#include <memory>
+
+#include "cli/bake_request.h"
+#include "cli/command.h"
+#include "cli/info_json.h"
+#include "formats/bundle_io.h"
+#include "formats/json_text.h"
+
+namespace texbake {
+namespace {
+
+struct Request {
+  std::string bundle;
+  bool recipe = false;
+};
+
+Outcome run(const Request& request, Console&) {
+  const Bundle bundle = read_bundle(request.bundle, {.semantics = Semantics::any});
+  Outcome outcome;
+  if (request.recipe) {
+    outcome.result["recipe"] = recipe_of(bundle);
+    outcome.text = print_json(outcome.result["recipe"]);
+  } else {
+    outcome.result = info_json(bundle);
+    outcome.text = info_text(outcome.result, request.bundle);
+  }
+  return outcome;
+}
+
+Action declare(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
+  app.add_flag("--recipe", request->recipe, "write the recipe from which bake makes the same bundle");
+  return [request](Console& console) { return run(*request, console); };
+}
+
+}  // namespace
+
+Command info_command() {
+  return {"info", "bundle → text, JSON or recipe: every field with its shape and unit",
+          "  texbake info leaves.texbundle\n"
+          "  texbake info leaves.texbundle --recipe > leaves.json",
+          declare};
+}
+
+}  // namespace texbake

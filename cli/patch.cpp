@@ -1,0 +1,12 @@
+// texbake patch: bundle → bundle with patches.
+#include "cli/stage_command.h"
+#include "cli/stages.h"
+
+namespace texbake {
+
+Command patch_command() {
+  return stage_command<PatchOptions>("patch", "bundle → bundle: unions of fragments that exchange their contents",
+                                     "  texbake patch leaves.texbundle --count 12", run_patch);
+}
+
+}  // namespace texbake

@@ -1,0 +1,52 @@
+#include "cli/progress_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace texbake {
+namespace {
+
+constexpr auto kInterval = std::chrono::milliseconds(100);
+constexpr int kBarWidth = 30;
+
+}  // namespace
+
+void ProgressLine::begin(const std::string& step) {
+  step_ = step;
+  last_ = {};
+  update(0);
+}
+
+void ProgressLine::update(double done) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < kInterval) return;
+  last_ = now;
+  write(std::clamp(done, 0.0, 1.0));
+}
+
+void ProgressLine::end() {
+  if (form_ == Form::json) write(1);
+  clear();
+}
+
+void ProgressLine::clear() {
+  if (!drawn_) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  drawn_ = false;
+}
+
+void ProgressLine::write(double done) {
+  if (form_ == Form::json) {
+    fmt::print(stderr, "{{\"event\":\"progress\",\"step\":\"{}\",\"done\":{:.3f}}}\n", step_, done);
+  } else {
+    const int filled = static_cast<int>(done * kBarWidth);
+    fmt::print(stderr, "\r{:<16} [{:=<{}}{:{}}] {:3.0f} %", step_, "", filled, "", kBarWidth - filled, done * 100);
+    drawn_ = true;
+  }
+  std::fflush(stderr);
+}
+
+}  // namespace texbake

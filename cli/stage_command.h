@@ -1,0 +1,51 @@
+// The verbs that run one stage on a bundle: read, run and record, write.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "cli/bundle_path.h"
+#include "cli/command.h"
+#include "cli/option_flags.h"
+
+namespace texbake {
+
+/// What a verb from bundle to bundle was given.
+struct BundlePaths {
+  std::string input;
+  std::string output;  ///< "": in place
+
+  const std::string& target() const { return output.empty() ? input : output; }
+};
+
+/// Adds INPUT and -o. `paths` must outlive the parse.
+void add_bundle_paths(CLI::App& app, BundlePaths& paths);
+
+/// Reads the bundle, lets `change` work on it, writes it. The outcome tells the record of stage `verb`.
+Outcome change_bundle(const BundlePaths& paths, const std::string& verb, Console& console,
+                      const std::function<void(Bundle&)>& change);
+
+/// What a verb that has written a bundle says: its path for people, path and record of stages for programs.
+Outcome written_bundle(const std::string& path, const std::vector<Stage>& stages);
+
+/// A verb whose whole work is `run`, a function of cli/stages.h.
+template <class Options>
+Command stage_command(const std::string& verb, const std::string& summary, const std::string& example,
+                      void (*run)(Bundle&, const Options&, Console&)) {
+  struct Request {
+    BundlePaths paths;
+    Options options;
+  };
+  const auto declare = [verb, run](CLI::App& app) -> Action {
+    const auto request = std::make_shared<Request>();
+    add_bundle_paths(app, request->paths);
+    add_flags(app, request->options, "Options");
+    return [verb, run, request](Console& console) {
+      return change_bundle(request->paths, verb, console,
+                           [&](Bundle& bundle) { run(bundle, request->options, console); });
+    };
+  };
+  return {verb, summary, example, declare};
+}
+
+}  // namespace texbake

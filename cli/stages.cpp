@@ -1,0 +1,122 @@
+#include "cli/stages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "cli/option_json.h"
+#include "cli/running_stage.h"
+#include "libbake/segment/contrast.h"
+
+namespace texbake {
+namespace {
+
+/// The scale a stage works on. Stages come before the scales are stacked.
+Scale& only_scale(Bundle& bundle) {
+  if (bundle.scales.size() != 1)
+    throw Error(ErrorKind::unsupported, fmt::format("expected a bundle of one scale, found {}; run the verb on each "
+                                                    "bundle before they are stacked",
+                                                    bundle.scales.size()));
+  return bundle.scales.front();
+}
+
+template <class T>
+const T& required(const std::optional<T>& part, const char* what, const char* verb) {
+  if (!part)
+    throw Error(ErrorKind::bad_data,
+                fmt::format("expected a bundle with {}, found none; run \"texbake {}\" first", what, verb));
+  return *part;
+}
+
+template <class Options>
+Json parameters_of(const Options& asked, const Options& effective) {
+  Json parameters = Json::object();
+  add_parameters(parameters, asked, effective);
+  return parameters;
+}
+
+Json area_figures(const Partition& partition) {
+  const auto& areas = partition.areas_px;
+  const auto [least, most] = std::minmax_element(areas.begin(), areas.end());
+  const auto total = std::accumulate(areas.begin(), areas.end(), uint64_t{0});
+  return {{"count", partition.count()},
+          {"minArea", *least},
+          {"meanArea", static_cast<double>(total) / static_cast<double>(areas.size())},
+          {"maxArea", *most}};
+}
+
+Json contrast_figures(const ContrastReport& contrast) {
+  return {{"borderDeltaE", contrast.border_delta_e},
+          {"interiorDeltaE", contrast.interior_delta_e},
+          {"sizeLimitedShare", contrast.size_limited_share}};
+}
+
+void warn_of_low_contrast(const ContrastReport& contrast, Console& console) {
+  const auto reason = low_contrast(contrast);
+  if (!reason) return;
+  console.warning(
+      *reason == LowContrast::faint_borders
+          ? fmt::format(
+                "low contrast: colours differ by only {:.1f} ΔE across the borders of fragments ({:.1f} inside), "
+                "too little to hide the seams of exchanged contents; an exemplar with clearer features is better",
+                contrast.border_delta_e, contrast.interior_delta_e)
+          : fmt::format("low contrast: {:.0f} % of the tile is in fragments that ended at the greatest area, not at a "
+                        "border, so that seams have nothing to hide behind; an exemplar with clearer features, or a "
+                        "smaller --threshold, is better",
+                        100 * contrast.size_limited_share));
+}
+
+/// Least and greatest impact over all contents but the identities; 0 when there are no others.
+Json impact_figures(const ContentSelection& selection) {
+  float least = 0, most = 0;
+  for (int patch = 0; patch < selection.table.patch_count; ++patch)
+    for (int content = 1; content < selection.table.content_count; ++content) {
+      const float impact = selection.table.at(patch, content).impact;
+      least = patch == 0 && content == 1 ? impact : std::min(least, impact);
+      most = std::max(most, impact);
+    }
+  return {{"bestImpact", json_number(least)},
+          {"worstImpact", json_number(most)},
+          {"meanPairImpact", selection.pairs.mean},
+          {"worstPairImpact", selection.pairs.worst},
+          {"search", enum_name(selection.search)}};
+}
+
+}  // namespace
+
+void run_fragment(Bundle& bundle, const FragmentOptions& options, Console& console) {
+  Scale& scale = only_scale(bundle);
+  const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
+  RunningStage stage(bundle, "fragment", console);
+  const FragmentOptions resolved = resolve(options, colors);
+  scale.fragments = fragment(colors, scale.base(), resolved, stage.progress());
+  const ContrastReport contrast = contrast_report(scale.base(), *scale.fragments, *resolved.max_area_px);
+  Json figures = area_figures(scale.fragments->partition);
+  figures.update(contrast_figures(contrast));
+  stage.finish(parameters_of(options, resolved), figures);
+  warn_of_low_contrast(contrast, console);
+}
+
+void run_patch(Bundle& bundle, const PatchOptions& options, Console& console) {
+  Scale& scale = only_scale(bundle);
+  const FragmentMap& fragments = required(scale.fragments, "fragments", "fragment");
+  RunningStage stage(bundle, "patch", console);
+  const PatchOptions resolved = resolve(options, fragments);
+  scale.patches = patch(fragments, resolved, stage.progress());
+  stage.finish(parameters_of(options, resolved), area_figures(scale.patches->partition));
+}
+
+void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, Console& console) {
+  Scale& scale = only_scale(bundle);
+  const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
+  const PatchMap& patches = required(scale.patches, "patches", "patch");
+  RunningStage stage(bundle, "select-contents", console);
+  const SelectContentsOptions resolved = resolve(options, scale.width(), scale.height_px());
+  ContentSelection selection = select_contents(colors, scale.base(), patches, resolved, stage.progress());
+  const Json figures = impact_figures(selection);
+  scale.contents = std::move(selection.table);
+  stage.finish(parameters_of(options, resolved), figures);
+}
+
+}  // namespace texbake

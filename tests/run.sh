@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Every test in one command on a bare Debian 12: installs what is missing, builds for release and for debugging with
+# address and undefined-behaviour sanitizers, runs the tests of both. The last line is the sum: N passed, M failed, K skipped.
+set -uo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+cd "$root" || exit
+
+cmake/install-packages.sh build test || echo "tests/run.sh: packages could not be installed; going on with what is there" >&2
+
+compiler_cache=()
+command -v ccache >/dev/null && compiler_cache=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+
+passed=0 failed=0 skipped=0
+
+# count JUNIT_FILE: adds one run of ctest to the sums.
+count() {
+  local tests bad skip
+  attribute() { grep -o "<testsuite[^>]*" "$1" | tr '\n\t' '  ' | grep -o " $2=\"[0-9]*\"" | head -1 | tr -cd '0-9'; }
+  tests=$(attribute "$1" tests) bad=$(attribute "$1" failures) skip=$(($(attribute "$1" skipped) + $(attribute "$1" disabled)))
+  passed=$((passed + tests - bad - skip)) failed=$((failed + bad)) skipped=$((skipped + skip))
+}
+
+# run PRESET: builds and tests it.
+run() {
+  echo "== $1" >&2
+  if cmake --preset "$1" "${compiler_cache[@]}" >&2 && cmake --build --preset "$1" >&2; then
+    ctest --preset "$1" -j "$(nproc)" --output-junit "$root/build/$1/tests.xml" >&2
+    count "$root/build/$1/tests.xml"
+  else
+    echo "tests/run.sh: the build of preset $1 failed" >&2
+    failed=$((failed + 1))
+  fi
+}
+
+# Another compiler must bake the same bytes: its program is compared by tests/cli/determinism.sh.
+if command -v clang++ >/dev/null; then
+  echo "== clang" >&2
+  cmake --preset clang -DTEXBAKE_TESTS=OFF -DTEXBAKE_BENCH=OFF "${compiler_cache[@]}" >&2 &&
+    cmake --build --preset clang --target texbake >&2 || { echo "tests/run.sh: the build with clang++ failed" >&2; failed=1; }
+else
+  echo "SKIPPED: no clang++ here, so that its bytes are not compared with those of g++" >&2
+  skipped=1
+fi
+
+run release
+run debug
+
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
