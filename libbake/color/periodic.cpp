@@ -11,6 +11,7 @@
 #include "libbake/color/period_search.h"
 #include "libbake/color/resample.h"
 #include "libbake/color/seam_cut.h"
+#include "libbake/color/seam_join.h"
 
 namespace texbake {
 namespace {
@@ -51,36 +52,41 @@ AxisPlan cut_axis(ImageView<const V3f> luv, const PeriodicOptions& options, cons
   return {true, begin, period.length, period.overlap, nearest_size(period.length, multiple)};
 }
 
-// The rows begin … begin + length + overlap − 1, closed along x.
-template <class T>
-Image<T> closed_along_x(ImageView<const T> image, const AxisPlan& x, const std::vector<int>& cut, int first_row,
-                        int rows) {
-  Image<T> result(x.length, rows);
-  parallel_for(0, rows, [&](int y) {
-    for (int i = 0; i < x.length; ++i) {
-      const int further = x.cut && i < cut[y] ? x.length : 0;
-      result(i, y) = image(x.begin + i + further, first_row + y);
-    }
-  });
-  return result;
+Seam seam_of(const AxisPlan& axis, const std::vector<int>& cut, CutEnds ends) {
+  return {axis.begin, axis.length, axis.overlap, ends, cut};
 }
 
-// Everything but the resampling.
+// The least visible cut along x.
+std::vector<int> cut_along_x(ImageView<const V3f> luv, const AxisPlan& axis, CutEnds ends) {
+  return minimum_cut(overlap_mismatch(luv, axis.begin, axis.length, axis.overlap), ends).column;
+}
+
+// The cut along x in the rows that the tile is made of.
+std::vector<int> used_rows(const std::vector<int>& cut_x, const AxisPlan& y) {
+  const auto first = cut_x.begin() + y.begin;
+  return {first, first + y.length + y.overlap};
+}
+
 template <class T>
-Image<T> cropped_and_cut(const TilePlan& plan, ImageView<const T> image) {
-  Image<T> tile(plan.x.length, plan.y.length);
-  parallel_for(0, tile.height(), [&](int y) {
-    for (int x = 0; x < tile.width(); ++x) {
-      const V2i place = plan.source_place({x, y});
-      tile(x, y) = image(place.x, place.y);
-    }
-  });
-  return tile;
+Image<T> rows_of(ImageView<const T> image, int first, int count) {
+  Image<T> rows(image.width(), count);
+  std::copy(image.row(first), image.row(first) + rows.size(), rows.begin());
+  return rows;
+}
+
+// Everything but the resampling: closed along x, then along y.
+template <class T>
+Image<T> closed(const TilePlan& plan, ImageView<const T> image) {
+  Image<T> tile = rows_of(image, plan.y.begin, plan.y.length + plan.y.overlap);
+  if (plan.x.cut) tile = join_along_x(tile, seam_of(plan.x, plan.cut_x, CutEnds::open));
+  if (!plan.y.cut) return tile;
+  AxisPlan y = plan.y;
+  y.begin = 0;  // the rows before it are gone
+  return transposed<T>(join_along_x(transposed<T>(tile), seam_of(y, plan.cut_y, CutEnds::closed)));
 }
 
 // Neighbours that the cuts brought together, against all others.
-double measure_cut(const TilePlan& plan, ImageView<const V3f> source_luv) {
-  const Image<V3f> tile = cropped_and_cut(plan, source_luv);
+double measure_cut(const TilePlan& plan, const Image<V3f>& tile) {
   const V2i size(tile.width(), tile.height());
   double joined_sum = 0, other_sum = 0;
   size_t joined = 0, other = 0;
@@ -114,7 +120,7 @@ Image<T> apply_to_map(const TilePlan& plan, ImageView<const T> map) {
   assert(!map.empty());
   if (!plan.is_cut()) return resample(map, plan.x.size, plan.y.size, Borders{});
   const Image<T> same = resample(map, plan.source_size.x, plan.source_size.y, borders_of(plan));
-  return resample(cropped_and_cut<T>(plan, same), plan.x.size, plan.y.size, Borders{});
+  return resample(closed<T>(plan, same), plan.x.size, plan.y.size, Borders{});
 }
 
 }  // namespace
@@ -136,24 +142,22 @@ TilePlan plan_tile(ImageView<const V3f> source, const PeriodicOptions& options) 
   const bool cuts_y = make || (automatic && !plan.before.y.tiles());
 
   // The cut along x first, over all rows; then a closed one along y, on what is periodic in x already.
-  const Image<V3f> luv = cuts_x || cuts_y ? luv_from_linear(source) : Image<V3f>();
-  plan.x = cuts_x ? cut_axis(luv, options, "width") : whole_axis(source.width(), options.multiple);
-  std::vector<int> cut_of_source_rows;
-  if (cuts_x)
-    cut_of_source_rows =
-        minimum_cut(overlap_mismatch(luv, plan.x.begin, plan.x.length, plan.x.overlap), CutEnds::open).column;
+  Image<V3f> luv = cuts_x || cuts_y ? luv_from_linear(source) : Image<V3f>();
+  plan.x = whole_axis(source.width(), options.multiple);
   plan.y = whole_axis(source.height(), options.multiple);
-  if (cuts_y) {
-    const Image<V3f> ring = transposed<V3f>(closed_along_x<V3f>(luv, plan.x, cut_of_source_rows, 0, source.height()));
-    plan.y = cut_axis(ring, options, "height");
-    plan.cut_y =
-        minimum_cut(overlap_mismatch(ring, plan.y.begin, plan.y.length, plan.y.overlap), CutEnds::closed).column;
+  if (cuts_x) {
+    plan.x = cut_axis(luv, options, "width");
+    plan.cut_x = cut_along_x(luv, plan.x, CutEnds::open);
+    luv = join_along_x(luv, seam_of(plan.x, plan.cut_x, CutEnds::open));
   }
-  if (cuts_x)
-    plan.cut_x.assign(cut_of_source_rows.begin() + plan.y.begin,
-                      cut_of_source_rows.begin() + plan.y.begin + plan.y.length + plan.y.overlap);
+  if (cuts_y) {
+    const Image<V3f> turned = transposed<V3f>(luv);
+    plan.y = cut_axis(turned, options, "height");
+    plan.cut_y = cut_along_x(turned, plan.y, CutEnds::closed);
+    if (cuts_x) plan.cut_x = used_rows(plan.cut_x, plan.y);
+  }
 
-  if (plan.is_cut()) plan.cut_ratio = measure_cut(plan, luv);
+  if (plan.is_cut()) plan.cut_ratio = measure_cut(plan, luv_from_linear(closed(plan, source)));
   plan.after = plan.is_cut() || plan.is_resampled() ? measure_seam(apply(plan, source)) : plan.before;
   return plan;
 }
@@ -163,8 +167,8 @@ Image<float> apply(const TilePlan& plan, ImageView<const float> map) { return ap
 
 Image<V3f> apply_to_normals(const TilePlan& plan, ImageView<const V3f> normals) {
   Image<V3f> tile = apply(plan, normals);
-  const bool same = V2i(normals.width(), normals.height()) == plan.source_size && !plan.is_resampled();
-  if (!same)
+  const bool copied = V2i(normals.width(), normals.height()) == plan.source_size && !plan.is_resampled();
+  if (!copied || plan.is_cut())
     for (V3f& normal : tile) normal = normal.length() > 0 ? normal / normal.length() : V3f(0, 0, 1);
   return tile;
 }

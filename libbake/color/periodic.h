@@ -75,7 +75,8 @@ struct TilePlan {
   bool is_cut() const { return x.cut || y.cut; }
   bool is_resampled() const { return x.size != x.length || y.size != y.length; }
   V2i tile_from_source() const { return {x.begin, y.begin}; }
-  /// The source texel that tile texel p shows before resampling, p in (0, 0) … (x.length − 1, y.length − 1).
+  /// The source texel that tile texel p shows before resampling, p in (0, 0) … (x.length − 1, y.length − 1). Near the
+  /// cuts its shade may have been levelled (seam_join.h).
   V2i source_place(V2i p) const;
 };
 
@@ -91,7 +92,7 @@ TilePlan plan_tile(ImageView<const V3f> source, const PeriodicOptions& options =
 /// The tile of one map of the material. A map of another size than the source is resampled to it first.
 Image<V3f> apply(const TilePlan& plan, ImageView<const V3f> map);
 Image<float> apply(const TilePlan& plan, ImageView<const float> map);
-/// The same for vectors: where the plan or the map's size resamples, they are made unit vectors again.
+/// The same for vectors: where the plan cuts, or it or the map's size resamples, they are made unit vectors again.
 Image<V3f> apply_to_normals(const TilePlan& plan, ImageView<const V3f> normals);
 
 }  // namespace texbake

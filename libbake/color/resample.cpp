@@ -8,6 +8,7 @@
 
 #include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
+#include "libbake/color/channels.h"
 
 namespace texbake {
 namespace {
@@ -48,11 +49,6 @@ std::vector<Taps> taps_of_side(int old_size, int new_size, Wrap border) {
   return side;
 }
 
-float least(float a, float b) { return std::min(a, b); }
-float greatest(float a, float b) { return std::max(a, b); }
-V3f least(const V3f& a, const V3f& b) { return {least(a.x, b.x), least(a.y, b.y), least(a.z, b.z)}; }
-V3f greatest(const V3f& a, const V3f& b) { return {greatest(a.x, b.x), greatest(a.y, b.y), greatest(a.z, b.z)}; }
-
 template <class T>
 T weighted(const T* values, const Taps& taps, int stride) {
   T sum(0);
@@ -74,12 +70,11 @@ Image<T> resample_image(ImageView<const T> image, int width, int height, Borders
 
   Image<T> result(width, height);
   const std::vector<Taps> rows = taps_of_side(image.height(), height, borders.y);
-  T low = image(0, 0), high = low;
-  for (const T& value : image) low = least(low, value), high = greatest(high, value);
+  const auto [low, high] = channel_range(image);
   parallel_for(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const T value = height == image.height() ? wide(x, y) : weighted(wide.data() + x, rows[y], width);
-      result(x, y) = least(greatest(value, low), high);
+      result(x, y) = clamp_channels(value, low, high);
     }
   });
   return result;

@@ -22,14 +22,6 @@ PeriodicOptions options_of(Periodic periodic, int multiple) {
   return options;
 }
 
-// Two channels that hold each texel's own coordinates: a map that shows where everything went.
-Image<V3f> coordinates(int width, int height) {
-  Image<V3f> image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image(x, y) = {static_cast<float>(x), static_cast<float>(y), 0};
-  return image;
-}
-
 TEST(Periodic, TorusIsTakenAsItIs) {
   const Image<V3f> torus = torus_noise(128, 64, 3, 1);
   const TilePlan plan = plan_tile(torus);
@@ -65,14 +57,33 @@ TEST(Periodic, CutsJoinBetterThanTheStraightBorder) {
 TEST(Periodic, EveryTexelShowsTheSourceAtItsPlaceModuloThePeriod) {
   const Image<V3f> source = window_of(torus_noise(200, 200, 2, 4), {0, 0}, 150, 140);
   const TilePlan plan = plan_tile(source, options_of(Periodic::make, 16));
-  const Image<V3f> shown = apply(plan, coordinates(150, 140));
+  const Image<V3f> tile = apply(plan, source);
   for (int y = 0; y < plan.y.length; ++y)
     for (int x = 0; x < plan.x.length; ++x) {
       const V2i place = plan.source_place({x, y});
-      ASSERT_EQ(shown(x, y), V3f(static_cast<float>(place.x), static_cast<float>(place.y), 0));
       ASSERT_EQ(wrap(place.x - plan.x.begin - x, plan.x.length), 0);
       ASSERT_EQ(wrap(place.y - plan.y.begin - y, plan.y.length), 0);
+      if (x >= plan.x.overlap && y >= plan.y.overlap) {  // elsewhere the shade may have been levelled
+        ASSERT_EQ(tile(x, y), source(place.x, place.y));
+      }
     }
+}
+
+TEST(Periodic, SlopeOfShadeIsSpreadOverTheSeam) {
+  // a texture under light that doubles from left to right: a hard cut would show as a line
+  Image<V3f> source = window_of(torus_noise(300, 200, 2, 14), {0, 0}, 240, 160);
+  for (int y = 0; y < 160; ++y)
+    for (int x = 0; x < 240; ++x) source(x, y) *= 0.5f + 0.5f * static_cast<float>(x) / 240;
+  const TilePlan plan = plan_tile(source, options_of(Periodic::make, 32));
+  const Image<V3f> tile = apply(plan, source);
+  double hard = 0, levelled = 0;  // mean signed step from the left of the cut to its right
+  for (int y = plan.y.overlap; y < plan.y.length; ++y) {
+    const int x = plan.cut_x[y];
+    const V2i left = plan.source_place({x - 1, y}), right = plan.source_place({x, y});
+    hard += source(right.x, right.y).y - source(left.x, left.y).y;
+    levelled += tile(x, y).y - tile(x - 1, y).y;
+  }
+  EXPECT_GT(std::abs(hard), 8 * std::abs(levelled));
 }
 
 // Across the straight border of the tile, sources follow each other as they do inside: the seam is along the cut.
