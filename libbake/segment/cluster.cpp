@@ -68,7 +68,10 @@ class Growing {
     const std::vector<uint32_t> corner = corner_fragments(map_);
     for (const uint32_t anchor : anchors_of(map_, packing_, corner)) clusters_.add_cluster(anchor);
     for (const uint32_t f : corner)
-      if (clusters_.of(f) == Clusters::kNone && clusters_.fits(f, 0)) clusters_.join(f, 0);
+      if (clusters_.of(f) == Clusters::kNone && clusters_.fits(f, 0)) {
+        clusters_.join(f, 0);
+        clusters_.pin(f);
+      }
     for (uint32_t f = 0; f < graph_.count(); ++f)
       if (clusters_.of(f) != Clusters::kNone) offer_neighbours(f);
     take_offers();
@@ -113,7 +116,7 @@ class Growing {
 }  // namespace
 
 Clusters::Clusters(const FragmentMap& map, const FragmentGraph& graph)
-    : map_(map), graph_(graph), cluster_of_(graph.count(), kNone) {}
+    : map_(map), graph_(graph), cluster_of_(graph.count(), kNone), is_pinned_(graph.count(), 0) {}
 
 void Clusters::add_cluster(uint32_t anchor) {
   const auto cluster = static_cast<uint32_t>(anchors_.size());
@@ -121,6 +124,7 @@ void Clusters::add_cluster(uint32_t anchor) {
   areas_.push_back(0);
   boxes_.push_back(box_of(anchor, cluster));
   join(anchor, cluster);
+  pin(anchor);
 }
 
 Clusters::Box Clusters::box_of(uint32_t fragment, uint32_t cluster) const {

@@ -16,8 +16,8 @@ class Clusters {
   size_t count() const { return anchors_.size(); }
   uint32_t of(uint32_t fragment) const { return cluster_of_[fragment]; }
   uint64_t area_px(uint32_t cluster) const { return areas_[cluster]; }
-  /// The first fragment of a cluster never leaves it.
-  bool is_anchor(uint32_t fragment) const { return anchors_[cluster_of_[fragment]] == fragment; }
+  /// Whether the fragment must not leave its cluster: its anchor, and what has been pinned.
+  bool is_pinned(uint32_t fragment) const { return is_pinned_[fragment] != 0; }
 
   /// Whether the cluster would stay under half the tile with the fragment. For fragments that touch it.
   bool fits(uint32_t fragment, uint32_t cluster) const;
@@ -25,6 +25,7 @@ class Clusters {
   void add_cluster(uint32_t anchor);
   void join(uint32_t fragment, uint32_t cluster);
   void leave(uint32_t fragment);
+  void pin(uint32_t fragment) { is_pinned_[fragment] = 1; }
   /// Whether the cluster would certainly stay connected without the fragment: what it touches there hangs together near
   /// by.
   bool stays_connected_without(uint32_t fragment) const;
@@ -43,13 +44,14 @@ class Clusters {
   const FragmentGraph& graph_;
   std::vector<uint32_t> anchors_;
   std::vector<uint32_t> cluster_of_;  // of each fragment
+  std::vector<uint8_t> is_pinned_;    // of each fragment
   std::vector<uint64_t> areas_;       // of each cluster
   std::vector<Box> boxes_;
 };
 
 /// Grows clusters from the circles, one for each: always the free fragment of least squared distance minus power that
-/// touches its cluster and fits. Cluster 0 begins with the fragments around the corner of the tile. Where fragments
-/// remain that fit nowhere, further clusters grow from them.
+/// touches its cluster and fits. Cluster 0 begins with the fragments around the corner of the tile, pinned. Where
+/// fragments remain that fit nowhere, further clusters grow from them.
 Clusters cluster_fragments(const FragmentMap& map, const FragmentGraph& graph, const CirclePacking& packing);
 
 /// Moves single fragments between touching clusters while that lowers

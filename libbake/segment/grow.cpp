@@ -55,9 +55,11 @@ class Grower {
   void grow_from(size_t seed) {
     begin(seed);
     while (area_ < limits_.max_area_px) {
-      if (!queue_.empty()) {
-        const size_t at = queue_.front();
-        queue_.pop();
+      if (!waiting_.empty()) {
+        const uint32_t pick = random_.below(static_cast<uint32_t>(waiting_.size()));
+        const size_t at = waiting_[pick];
+        waiting_[pick] = waiting_.back();
+        waiting_.pop_back();
         if (admissible(variation_.data()[at]))
           add(at);
         else
@@ -99,7 +101,7 @@ class Grower {
       if (growth_.idx.data()[n] != kFree || asked_by_[n] == fragment_) continue;
       asked_by_[n] = fragment_;
       bordering_.push_back(n);
-      if (index_.data()[n] == class_) queue_.push(n);
+      if (index_.data()[n] == class_) waiting_.push_back(n);
     }
   }
 
@@ -137,7 +139,7 @@ class Grower {
         in_frontier_[at] = 1;
         frontier_.push_back(at);
       }
-    queue_ = {};
+    waiting_.clear();
     above_ = {};
     below_ = {};
   }
@@ -157,8 +159,8 @@ class Grower {
   int area_ = 0;
   double sum_ = 0;  // of v
   TorusBox box_;
-  std::vector<size_t> bordering_;
-  std::queue<size_t> queue_;
+  std::vector<size_t> bordering_;  // all that were asked
+  std::vector<size_t> waiting_;    // of its class, asked and not yet answered
   std::priority_queue<Refused, std::vector<Refused>, LowestFirst> above_;
   std::priority_queue<Refused, std::vector<Refused>, HighestFirst> below_;
 };

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "libbake/base/torus.h"
 
 namespace texbake {
 
+/// A tile has less than 2^32 texels: 32-bit division is several times faster.
 inline V2i texel_of(size_t at, V2i size) {
-  const auto width = static_cast<size_t>(size.x);
-  return {static_cast<int>(at % width), static_cast<int>(at / width)};
+  const auto width = static_cast<uint32_t>(size.x), p = static_cast<uint32_t>(at);
+  return {static_cast<int>(p % width), static_cast<int>(p / width)};
 }
 inline size_t position_of(V2i texel, V2i size) {
   return static_cast<size_t>(texel.y) * static_cast<size_t>(size.x) + static_cast<size_t>(texel.x);
@@ -20,7 +22,7 @@ struct Neighbours {
   size_t at[4];
   Neighbours(size_t p, V2i size) {
     const auto width = static_cast<size_t>(size.x), height = static_cast<size_t>(size.y);
-    const size_t x = p % width, row = p - x;
+    const size_t x = static_cast<uint32_t>(p) % static_cast<uint32_t>(width), row = p - x;
     at[0] = x + 1 == width ? row : p + 1;
     at[1] = row + width == width * height ? x : p + width;
     at[2] = x == 0 ? row + width - 1 : p - 1;

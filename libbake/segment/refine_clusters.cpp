@@ -32,7 +32,7 @@ class Refiner {
   int pass() {
     int moves = 0;
     for (uint32_t f = 0; f < graph_.count(); ++f)
-      if (!clusters_.is_anchor(f) && move(f)) ++moves;
+      if (!clusters_.is_pinned(f) && move(f)) ++moves;
     clusters_.tighten();
     return moves;
   }

@@ -17,8 +17,8 @@ struct TorusBox {
 
 /// The smaller of the two arcs of a circle of `n` texels that hold [low, low + extent) and [a, a + length).
 inline void join_arcs(int& low, int& extent, int a, int length, int n) {
-  const int ahead = wrap(a - low, n);   // steps from the first arc's start forward to the second's
-  const int behind = wrap(low - a, n);  // and back
+  const int ahead = a >= low ? a - low : a - low + n;  // steps from the first arc's start forward to the second's
+  const int behind = ahead == 0 ? 0 : n - ahead;       // and back
   const int forward = std::max(extent, ahead + length);
   const int backward = std::max(length, behind + extent);
   if (backward < forward) {

@@ -103,7 +103,7 @@ TEST(Grow, FeaturesCarryAcrossTheBorderOfTheTile) {
 }
 
 TEST(Grow, ASlowRampIsFollowedByTheMeanAndCutWhereItIsLeftBehind) {
-  // Breadth first from any seed, the mean lags behind the ramp: a threshold of 2 cannot hold 0 and 9 together.
+  // From any seed, the mean lags behind the ramp: a threshold of 2 cannot hold 0 and 9 together.
   const auto index = classes_of("0000000000 0000000000 0000000000");
   const auto v = values_of("0123456789 0123456789 0123456789");
   const auto growth = grow(index, v, limits(2, 100, V2i(10, 3)));

@@ -73,14 +73,18 @@ inline Growth grow(const Image<uint8_t>& index, const Image<float>& v, const Gro
     growth.seeds.push_back(static_cast<size_t>(seed.y * width + seed.x));
     std::vector<V2i> asked{seed}, refused;
     std::vector<V2i> members;
-    size_t head = 0;  // of the queue of texels asked and not yet answered
+    std::vector<V2i> waiting{seed};  // of those asked, in no order that matters but the same as in grow.cpp
     const auto mean = [&] { return mean_of(v, members); };
     while (static_cast<int>(members.size()) < limits.max_area_px) {
       V2i p;
-      if (head < asked.size()) {
-        p = asked[head++];
+      if (!waiting.empty()) {
+        // The seed is not picked by chance.
+        const uint32_t pick = members.empty() ? 0 : random.below(static_cast<uint32_t>(waiting.size()));
+        p = waiting[pick];
+        waiting[pick] = waiting.back();
+        waiting.pop_back();
         const bool is_free = growth.idx(p.x, p.y) == kNone, is_seed = members.empty();
-        if (!is_free || index(p.x, p.y) != index(seed.x, seed.y)) continue;
+        if (!is_free) continue;
         if (!is_seed && std::fabs(static_cast<double>(v(p.x, p.y)) - mean()) >= static_cast<double>(limits.threshold)) {
           refused.push_back(p);
           continue;
@@ -101,7 +105,10 @@ inline Growth grow(const Image<uint8_t>& index, const Image<float>& v, const Gro
       growth.idx(p.x, p.y) = fragment;
       members.push_back(p);
       for (const V2i& q : neighbours(growth.idx, p))
-        if (growth.idx(q.x, q.y) == kNone && !contains(asked, q)) asked.push_back(q);
+        if (growth.idx(q.x, q.y) == kNone && !contains(asked, q)) {
+          asked.push_back(q);
+          if (index(q.x, q.y) == index(seed.x, seed.y)) waiting.push_back(q);
+        }
     }
     for (const V2i& p : asked)
       if (growth.idx(p.x, p.y) == kNone && !contains(ever_in_frontier, p)) {
