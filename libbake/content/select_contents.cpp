@@ -1,1 +1,143 @@
 #include "libbake/content/select_contents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "libbake/color/luv.h"
+#include "libbake/content/choice.h"
+#include "libbake/content/content_classes.h"
+#include "libbake/content/content_search.h"
+#include "libbake/content/pair_impact.h"
+#include "libbake/content/refined_search.h"
+
+namespace texbake {
+namespace {
+
+constexpr int kBalancedCandidates = 60;
+constexpr int kSeparationDivisor = 32;
+
+SearchResult search(const ContentClasses& classes, const ClassDistances& distances, const Partition& patches,
+                    const SelectContentsOptions& options, const Progress& progress) {
+  const SearchRequest request{*options.candidates, *options.separation_px};
+  if (*options.search == Search::refined)
+    return search_contents_refined(classes.idx, distances, patches.idx, patches.count(), request, progress);
+  return search_contents(classes.idx, distances, patch_borders(patches.idx, patches.count()), request, progress);
+}
+
+void check_enough(const std::vector<Candidates>& candidates, int wanted, const SelectContentsOptions& options) {
+  for (size_t patch = 0; patch < candidates.size(); ++patch)
+    if (candidates[patch].size() < static_cast<size_t>(wanted))
+      throw Error(
+          ErrorKind::infeasible,
+          fmt::format("patch {}: expected {} translations {} px apart from each other, the tile has {}: ask for "
+                      "fewer contents (--count) or a smaller --separation",
+                      patch, wanted, *options.separation_px, candidates[patch].size()));
+}
+
+// The identity and the chosen candidates of each patch, least impact first.
+ContentTable make_table(const std::vector<Candidates>& candidates, const ChosenCandidates& chosen,
+                        const ClassDistances& distances, const std::vector<size_t>& border_counts, V2i size) {
+  ContentTable table;
+  table.patch_count = static_cast<int>(candidates.size());
+  table.content_count = static_cast<int>(chosen.front().size()) + 1;
+  for (size_t patch = 0; patch < candidates.size(); ++patch) {
+    table.contents.emplace_back();
+    for (const int number : chosen[patch]) {
+      const Candidate& candidate = candidates[patch][static_cast<size_t>(number)];
+      Content content;
+      content.translation = shortest(candidate.translation, size);
+      content.impact = static_cast<float>(distances.impact(candidate.error_sum, border_counts[patch]));
+      table.contents.push_back(content);
+    }
+  }
+  return table;
+}
+
+std::vector<std::vector<V2i>> translations_of(const ContentTable& table) {
+  std::vector<std::vector<V2i>> translations(static_cast<size_t>(table.patch_count));
+  for (int patch = 0; patch < table.patch_count; ++patch)
+    for (int content = 0; content < table.content_count; ++content)
+      translations[static_cast<size_t>(patch)].push_back(table.at(patch, content).translation);
+  return translations;
+}
+
+void measure_impacts(const ContentTable& table, SelectContentsFigures& figures) {
+  double sum = 0.0;
+  int count = 0;
+  for (int patch = 0; patch < table.patch_count; ++patch)
+    for (int content = 1; content < table.content_count; ++content) {
+      const auto impact = static_cast<double>(table.at(patch, content).impact);
+      figures.best_impact = count == 0 ? impact : std::min(figures.best_impact, impact);
+      figures.worst_impact = std::max(figures.worst_impact, impact);
+      sum += impact;
+      ++count;
+    }
+  figures.mean_impact = count > 0 ? sum / count : 0.0;
+}
+
+}  // namespace
+
+SelectContentsOptions resolve(const SelectContentsOptions& options, int width, int height) {
+  check_options(options);
+  SelectContentsOptions effective = options;
+  const int wanted = std::max(options.count - 1, 1);
+  if (!effective.candidates)
+    effective.candidates = options.choice == Choice::balanced ? std::max(kBalancedCandidates, 4 * wanted) : wanted;
+  if (*effective.candidates < wanted)
+    throw Error(ErrorKind::usage, fmt::format("--candidates: expected {} or more, one for each of the {} contents but "
+                                              "the identity, found {}",
+                                              wanted, options.count, *effective.candidates));
+  if (!effective.separation_px) effective.separation_px = std::max(std::min(width, height) / kSeparationDivisor, 1);
+  if (!effective.search) effective.search = std::max(width, height) <= kExactSide ? Search::exact : Search::refined;
+  return effective;
+}
+
+ContentSelection select_contents(const PrincipalVariation& colors, ImageView<const V3f> base, const PatchMap& patches,
+                                 const SelectContentsOptions& options, const Progress& progress) {
+  ContentSelection result;
+  const V2i size(base.width(), base.height());
+  result.effective = resolve(options, size.x, size.y);
+  const int wanted = options.count - 1;
+  const Partition& partition = patches.partition;
+
+  // Compare contents by classes of dominant colour and saliency.
+  const ContentClasses classes = content_classes(colors, base);
+  const ClassDistances distances = class_distances(classes.mean_luv);
+  result.figures.content_classes = classes.count();
+  result.figures.saliency_threshold = static_cast<double>(classes.saliency_threshold);
+  result.figures.salient_share = classes.salient_share;
+
+  // Candidates of least impact, then the choice among them.
+  const Image<V3f> luv = luv_from_linear(base);
+  std::vector<Candidates> candidates(static_cast<size_t>(partition.count()));
+  ChosenCandidates chosen(candidates.size());
+  if (wanted > 0) {
+    SearchResult found =
+        search(classes, distances, partition, result.effective, [&](double done) { report(progress, 0.9 * done); });
+    check_enough(found.candidates, wanted, result.effective);
+    if (found.all_error_count > 0)
+      result.figures.computed_share =
+          static_cast<double>(found.error_count) / static_cast<double>(found.all_error_count);
+    candidates = std::move(found.candidates);
+    chosen = options.choice == Choice::balanced ? choose_balanced(candidates, wanted, luv, partition, options.seed)
+                                                : choose_least_impact(candidates, wanted);
+  }
+  result.table =
+      make_table(candidates, chosen, distances, patch_borders(partition.idx, partition.count()).texel_counts, size);
+
+  // Say how good the choice is.
+  measure_impacts(result.table, result.figures);
+  const auto translations = translations_of(result.table);
+  const PairImpact pairs = pair_impact(classes.idx, distances, partition.idx, translations);
+  result.figures.mean_pair_impact = pairs.mean;
+  result.figures.worst_pair_impact = pairs.worst;
+  const ChoiceFigures figures = choice_figures(translations, luv, partition);
+  result.figures.repetition_near = figures.repetition_near;
+  result.figures.repetition_far = figures.repetition_far;
+  result.figures.use_deviation = figures.use_deviation;
+  report(progress, 1.0);
+  return result;
+}
+
+}  // namespace texbake

@@ -34,39 +34,59 @@ struct EnumNames<Search> {
 
 struct SelectContentsOptions {
   int count = 5;  ///< N_t
-  std::optional<int> candidates;
-  std::optional<int> separation_px;
+  std::optional<int> candidates{};
+  std::optional<int> separation_px{};
   Choice choice = Choice::balanced;
-  std::optional<Search> search;
+  std::optional<Search> search{};
   uint32_t seed = 1;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.count, Field{.name = "count", .unit = "contents", .min = 1, .max = 64,
+    visit(self.count, Field{.name = "count",
+                            .unit = "contents",
+                            .min = 1,
+                            .max = 64,
                             .help = "contents of each patch, the identity included (N_t)"});
-    visit(self.candidates, Field{.name = "candidates", .unit = "translations", .min = 1, .max = 4096,
+    visit(self.candidates, Field{.name = "candidates",
+                                 .unit = "translations",
+                                 .min = 1,
+                                 .max = 4096,
                                  .help = "translations of least impact kept for the choice",
                                  .auto_help = "60, or count - 1 with --choice impact"});
-    visit(self.separation_px, Field{.name = "separation", .unit = "px", .min = 1, .max = 4096,
+    visit(self.separation_px, Field{.name = "separation",
+                                    .unit = "px",
+                                    .min = 1,
+                                    .max = 4096,
                                     .help = "least distance of candidates from the identity and from each other",
-                                    .auto_help = "from the size of the tile"});
+                                    .auto_help = "1/32 of the tile's shorter side"});
     visit(self.choice, Field{.name = "choice", .help = "impact: the least impact; balanced: no grid from afar"});
-    visit(self.search, Field{.name = "search", .help = "exact: all translations; refined: at reduced size first",
+    visit(self.search, Field{.name = "search",
+                             .help = "exact: all translations; refined: at reduced size first",
                              .auto_help = "exact up to 1024 x 1024 texels, refined above"});
     visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the joint choice"});
   }
 };
 
-/// Impact over all pairs of contents on the two sides of patch borders, as they meet at run time.
-struct PairImpact {
-  double mean = 0;
-  double worst = 0;
+/// What was found, for provenance.
+struct SelectContentsFigures {
+  int content_classes = 0;        ///< N_C: dominant colour × saliency
+  double saliency_threshold = 0;  ///< texels above it are salient
+  double salient_share = 0;       ///< of the texels
+  double best_impact = 0;         ///< of the chosen contents, the identity apart, in ΔE⁴
+  double mean_impact = 0;
+  double worst_impact = 0;
+  double mean_pair_impact = 0;  ///< over all pairs of contents that can meet at a border
+  double worst_pair_impact = 0;
+  double repetition_near = 0;  ///< G predicted from the contents, see choice.h
+  double repetition_far = 0;
+  double use_deviation = 0;   ///< standard deviation / mean of how often a texel is used
+  double computed_share = 0;  ///< of the errors that a search without bounds computes
 };
 
 struct ContentSelection {
   ContentTable table;
-  PairImpact pairs;
-  Search search = Search::exact;  ///< the search that was used
+  SelectContentsOptions effective;  ///< the options with every automatic value replaced
+  SelectContentsFigures figures;
 };
 
 SelectContentsOptions resolve(const SelectContentsOptions& options, int width, int height);

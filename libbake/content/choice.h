@@ -1,0 +1,46 @@
+// Chooses each patch's contents among its candidates, so that from afar no grid shows and the exemplar is used evenly.
+// Based on: Vanhoey et al. 2013, §5.2 (least impact). The balanced rule is our own: contents that match a border also
+// share the low frequencies of what they replace, so that least impact alone keeps the grid of tiles visible from afar.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libbake/content/content_search.h"
+#include "libbake/segment/partition.h"
+
+namespace texbake {
+
+/// Weights of the balanced choice, in units of one patch's balance term (about 0.2 … 1).
+struct ChoiceWeights {
+  double use = 1.0;     ///< of the variance of how often texels are used, relative to their mean use squared
+  double impact = 0.2;  ///< of a content's impact relative to the mean of its patch's candidates
+};
+
+/// For each patch the numbers of its chosen candidates, `wanted` of them.
+using ChosenCandidates = std::vector<std::vector<int>>;
+
+/// The first `wanted` candidates of each patch: the least impact.
+ChosenCandidates choose_least_impact(const std::vector<Candidates>& candidates, int wanted);
+
+/// Balanced: minimises, over all patches together,
+///   Σ_P [ |mean_c z_c|² / mean_c |z_c|²  +  ½ |log(mean_c |z_c|² / tile energy)|  +  impact · Σ_c I_c / mean I ]
+///   + use · P · variance of use / mean use²
+/// where c runs over the identity and the chosen contents and z_c is what the patch shows with c, low-passed by 1/16 of
+/// the tile's smaller side, less the tile's mean. Starts greedily and then exchanges one content at a time, patches in
+/// an order drawn from `seed`, until nothing improves. `base_luv` is the base in CIELUV.
+ChosenCandidates choose_balanced(const std::vector<Candidates>& candidates, int wanted, ImageView<const V3f> base_luv,
+                                 const Partition& patches, uint32_t seed, const ChoiceWeights& weights = {});
+
+/// What the choice is judged by before anything is drawn.
+struct ChoiceFigures {
+  double repetition_near = 0;  ///< G predicted from the contents alone, σ = 0: 1 periodic, 1/N_t ideal
+  double repetition_far = 0;   ///< the same, σ = 1/16 of the tile's smaller side
+  double use_deviation = 0;    ///< standard deviation of how often a texel is used / its mean
+};
+
+/// G_σ = Σ_P Σ_{x∈P} |mean_c z_c(x)|² / Σ_P Σ_{x∈P} mean_c |z_c(x)|², the identity among the contents c.
+ChoiceFigures choice_figures(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> base_luv,
+                             const Partition& patches);
+
+}  // namespace texbake

@@ -1,0 +1,55 @@
+#include "libbake/content/content_search.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "libbake/content/group_search.h"
+
+namespace texbake {
+namespace {
+
+bool by_error(const Candidate& a, const Candidate& b) {
+  if (a.error_sum != b.error_sum) return a.error_sum < b.error_sum;
+  if (a.translation.y != b.translation.y) return a.translation.y < b.translation.y;
+  return a.translation.x < b.translation.x;
+}
+
+}  // namespace
+
+bool far_enough(V2i a, V2i b, V2i size, int separation_px) {
+  const V2i d = shortest(a - b, size);
+  return std::max(std::abs(d.x), std::abs(d.y)) >= separation_px;
+}
+
+Candidates take_separated(Candidates found, V2i size, const SearchRequest& request) {
+  std::sort(found.begin(), found.end(), by_error);
+  Candidates taken;
+  for (const Candidate& candidate : found) {
+    if (taken.size() == static_cast<size_t>(request.count)) break;
+    const auto is_far = [&](V2i other) {
+      return far_enough(candidate.translation, other, size, request.separation_px);
+    };
+    if (is_far({0, 0}) &&
+        std::all_of(taken.begin(), taken.end(), [&](const Candidate& other) { return is_far(other.translation); }))
+      taken.push_back(candidate);
+  }
+  return taken;
+}
+
+SearchResult search_contents(ImageView<const uint8_t> classes, const ClassDistances& distances,
+                             const PatchBorders& borders, const SearchRequest& request, const Progress& progress) {
+  // All groups of translations, scattered over the torus.
+  const int groups_x = (classes.width() + kGroupWidth - 1) / kGroupWidth;
+  const int groups_y = (classes.height() + kGroupRows - 1) / kGroupRows;
+  std::vector<GroupTask> tasks;
+  for (const int g : scattered(groups_x * groups_y))
+    tasks.push_back({{g % groups_x * kGroupWidth, g / groups_x * kGroupRows}, {}});
+
+  SearchResult result = GroupSearch(classes, distances, borders).run(tasks, request, progress);
+  const size_t texels = std::accumulate(borders.texel_counts.begin(), borders.texel_counts.end(), size_t{0});
+  result.all_error_count = texels * classes.size();
+  return result;
+}
+
+}  // namespace texbake

@@ -1,0 +1,47 @@
+// Finds the translations of least impact for every patch, among all of them, exactly.
+// Based on: Vanhoey et al. 2013, §5.2, eq. 2 and 3.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "libbake/base/progress.h"
+#include "libbake/content/class_distances.h"
+#include "libbake/content/patch_border.h"
+
+namespace texbake {
+
+/// A translation that a patch may use.
+struct Candidate {
+  V2i translation{0, 0};   ///< 0 … size−1
+  uint64_t error_sum = 0;  ///< Σ E over dil(∂P), in squared distance steps
+  bool operator==(const Candidate&) const = default;
+};
+
+/// The candidates of one patch, least error first; among equals the least (y, x) first.
+using Candidates = std::vector<Candidate>;
+
+struct SearchRequest {
+  int count = 60;          ///< candidates wanted for each patch
+  int separation_px = 16;  ///< least distance, see far_enough
+};
+
+struct SearchResult {
+  std::vector<Candidates> candidates;  ///< for each patch; fewer than asked for only where no more are far enough apart
+  uint64_t error_count = 0;            ///< of E computed
+  uint64_t all_error_count = 0;        ///< of E that a search without bounds computes, each patch on its own
+};
+
+/// Whether two translations differ by at least `separation_px` along some axis of the torus (Chebyshev distance).
+bool far_enough(V2i a, V2i b, V2i size, int separation_px);
+
+/// Takes from `found`, in order of (error, y, x), what is far enough from the identity and from everything taken
+/// before, up to `request.count`.
+Candidates take_separated(Candidates found, V2i size, const SearchRequest& request);
+
+/// take_separated of all width × height translations, without computing all of their errors: a sum of E never falls,
+/// so a translation is given up once its sum passes that of the last candidate.
+SearchResult search_contents(ImageView<const uint8_t> classes, const ClassDistances& distances,
+                             const PatchBorders& borders, const SearchRequest& request, const Progress& progress = {});
+
+}  // namespace texbake

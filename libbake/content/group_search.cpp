@@ -1,0 +1,173 @@
+#include "libbake/content/group_search.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "libbake/base/parallel.h"
+
+namespace texbake {
+namespace {
+
+constexpr int64_t kNoLimit = kExcluded - 1;
+constexpr size_t kFirstRoundShare = 64;  // the first round, which knows no limits yet, takes 1/64 of the tasks
+
+// One search: rounds of tasks, each as long as all before it, with limits learnt from what the earlier rounds found.
+class Rounds {
+ public:
+  Rounds(V2i size, const BorderProgram& program, const DistanceField& field, const std::vector<uint32_t>& order,
+         int patch_count, const SearchRequest& request)
+      : size_(size),
+        program_(program),
+        field_(field),
+        order_(order),
+        request_(request),
+        open_(static_cast<size_t>(patch_count), 1),
+        limits_(static_cast<size_t>(patch_count), kNoLimit),
+        found_(static_cast<size_t>(patch_count)) {}
+
+  void run(const std::vector<GroupTask>& tasks, const Progress& progress) {
+    for (size_t begin = 0; begin < tasks.size();) {
+      const size_t first = tasks.size() / kFirstRoundShare + 1;
+      const size_t end = std::min(tasks.size(), std::max(first, 2 * begin));
+      run_round(tasks, begin, end);
+      learn_limits();
+      begin = end;
+      report(progress, static_cast<double>(begin) / static_cast<double>(tasks.size()));
+    }
+  }
+
+  // Opens again, with a wider limit, every patch whose limit proved too narrow. Whether there was one.
+  bool widen() {
+    bool any = false;
+    for (size_t patch = 0; patch < open_.size(); ++patch) {
+      const size_t taken = take_separated(found_[patch], size_, request_).size();
+      open_[patch] = taken < static_cast<size_t>(request_.count) && limits_[patch] < kNoLimit;
+      if (!open_[patch]) continue;
+      any = true;
+      found_[patch].clear();
+      limits_[patch] = attempts_ < 3 ? limits_[patch] + limits_[patch] / 2 + 1 : kNoLimit;
+    }
+    ++attempts_;
+    return any;
+  }
+
+  SearchResult result() const {
+    SearchResult result;
+    for (const Candidates& found : found_) result.candidates.push_back(take_separated(found, size_, request_));
+    result.error_count = error_count_;
+    return result;
+  }
+
+ private:
+  void run_round(const std::vector<GroupTask>& tasks, size_t begin, size_t end) {
+    std::vector<std::vector<Candidates>> found(end - begin);
+    std::vector<uint64_t> error_counts(end - begin);
+    parallel_for(0, static_cast<int>(end - begin), [&](int i) {
+      const auto at = static_cast<size_t>(i);
+      GroupSums group = start(tasks[begin + at]);
+      add_group_errors(program_, order_, field_, tasks[begin + at].translation, limits_, group);
+      found[at] = survivors(tasks[begin + at], group);
+      error_counts[at] = group.error_count;
+    });
+    for (size_t i = 0; i < found.size(); ++i) {
+      error_count_ += error_counts[i];
+      for (size_t patch = 0; patch < found[i].size(); ++patch)
+        found_[patch].insert(found_[patch].end(), found[i][patch].begin(), found[i][patch].end());
+    }
+  }
+
+  static V2i translation(const GroupTask& task, int lane) {
+    return task.translation + V2i(lane % kGroupWidth, lane / kGroupWidth);
+  }
+
+  // Translations beyond the borders, which only fill the lanes, and those near the identity take no part.
+  GroupSums start(const GroupTask& task) const {
+    GroupSums group;
+    group.alive = open_;
+    for (size_t patch = 0; patch < task.wanted.size(); ++patch) group.alive[patch] &= task.wanted[patch];
+    for (size_t patch = 0; patch < open_.size(); ++patch)
+      for (int lane = 0; lane < kGroupSize; ++lane) {
+        const V2i t = translation(task, lane);
+        const bool allowed = t.x < size_.x && t.y < size_.y && far_enough(t, {0, 0}, size_, request_.separation_px);
+        group.sums.push_back(allowed ? 0 : kExcluded);
+      }
+    return group;
+  }
+
+  std::vector<Candidates> survivors(const GroupTask& task, const GroupSums& group) const {
+    std::vector<Candidates> found(open_.size());
+    for (size_t patch = 0; patch < open_.size(); ++patch)
+      for (int lane = 0; group.alive[patch] && lane < kGroupSize; ++lane) {
+        const int64_t sum = group.sums[patch * kGroupSize + static_cast<size_t>(lane)];
+        if (sum <= limits_[patch]) found[patch].push_back({translation(task, lane), static_cast<uint64_t>(sum)});
+      }
+    return found;
+  }
+
+  // A limit is the sum of the last candidate among those found so far. A few more than asked for are required, since a
+  // better translation found later may stand in the way of two.
+  void learn_limits() {
+    SearchRequest wider = request_;
+    wider.count += std::max(4, request_.count / 8);
+    parallel_for(0, static_cast<int>(open_.size()), [&](int i) {
+      const auto patch = static_cast<size_t>(i);
+      if (!open_[patch]) return;
+      const Candidates taken = take_separated(found_[patch], size_, wider);
+      if (taken.size() < static_cast<size_t>(wider.count)) return;
+      limits_[patch] = std::min(limits_[patch], static_cast<int64_t>(taken.back().error_sum));
+      std::erase_if(found_[patch], [&](const Candidate& candidate) {
+        return candidate.error_sum > static_cast<uint64_t>(limits_[patch]);
+      });
+    });
+  }
+
+  V2i size_;
+  const BorderProgram& program_;
+  const DistanceField& field_;
+  const std::vector<uint32_t>& order_;
+  SearchRequest request_;
+  std::vector<uint8_t> open_;
+  std::vector<int64_t> limits_;
+  std::vector<Candidates> found_;
+  uint64_t error_count_ = 0;
+  int attempts_ = 0;
+};
+
+// Chunks with much error for their work first: hopeless translations are given up soon.
+std::vector<uint32_t> chunk_order(const BorderProgram& program) {
+  std::vector<uint32_t> order(program.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    return program[a].expected_error * program[b].texel_count > program[b].expected_error * program[a].texel_count;
+  });
+  return order;
+}
+
+}  // namespace
+
+GroupSearch::GroupSearch(ImageView<const uint8_t> classes, const ClassDistances& distances,
+                         const PatchBorders& borders)
+    : size_(classes.width(), classes.height()),
+      patch_count_(borders.patch_count),
+      program_(border_program(borders, classes, distances)),
+      field_(classes, distances),
+      order_(chunk_order(program_)) {}
+
+SearchResult GroupSearch::run(const std::vector<GroupTask>& tasks, const SearchRequest& request,
+                              const Progress& progress) const {
+  Rounds rounds(size_, program_, field_, order_, patch_count_, request);
+  do rounds.run(tasks, progress);
+  while (rounds.widen());
+  return rounds.result();
+}
+
+std::vector<int> scattered(int count) {
+  if (count <= 0) return {};
+  int64_t step = static_cast<int64_t>(count * 0.6180339887498949);
+  while (std::gcd(step, int64_t{count}) != 1) ++step;
+  std::vector<int> order;
+  for (int64_t i = 0; i < count; ++i) order.push_back(static_cast<int>(i * step % count));
+  return order;
+}
+
+}  // namespace texbake

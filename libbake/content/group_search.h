@@ -1,0 +1,37 @@
+// Searches given groups of translations for those of least impact; what the exact and the refined search share.
+#pragma once
+
+#include <vector>
+
+#include "libbake/content/content_search.h"
+#include "libbake/content/impact_kernel.h"
+
+namespace texbake {
+
+/// A group of translations, see kGroupSize, and the patches that want to know about them.
+struct GroupTask {
+  V2i translation{0, 0};
+  std::vector<uint8_t> wanted;  ///< for each patch; empty for all
+};
+
+/// A tile made ready for the search.
+class GroupSearch {
+ public:
+  GroupSearch(ImageView<const uint8_t> classes, const ClassDistances& distances, const PatchBorders& borders);
+
+  /// take_separated of all translations of `tasks`, for each patch. The tasks should come in an order that scatters
+  /// them: the search learns its limits from the first ones.
+  SearchResult run(const std::vector<GroupTask>& tasks, const SearchRequest& request, const Progress& progress) const;
+
+ private:
+  V2i size_;
+  int patch_count_;
+  BorderProgram program_;
+  DistanceField field_;
+  std::vector<uint32_t> order_;
+};
+
+/// Steps through 0 … count−1 so that any stretch of the result is spread over the whole: by a golden section.
+std::vector<int> scattered(int count);
+
+}  // namespace texbake

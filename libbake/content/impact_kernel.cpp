@@ -1,0 +1,432 @@
+// Compiled once for each instruction set by Highway, which picks one at run time; whole numbers make all of them equal.
+#include "libbake/content/impact_kernel.h"
+
+#include <algorithm>
+#include <numeric>
+
+// Highway's emulation of 128-bit vectors is miscompiled by g++ before 12.3: processors without SSSE3 take plain loops.
+#define HWY_BROKEN_EMU128 1
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "libbake/content/impact_kernel.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace texbake {
+namespace HWY_NAMESPACE {
+namespace {
+
+#if HWY_TARGET == HWY_SCALAR || !HWY_ARCH_X86
+
+// Eq. 3 as it stands, for processors without x86's byte shuffles, whose lanes the vector code is written for.
+class ChunkRunner {
+ public:
+  ChunkRunner(const DistanceField& field, uint32_t* sums) : field_(field), sums_(sums) {}
+
+  void run(const Chunk& chunk, V2i t) {
+    std::fill_n(sums_, chunk.sums.size() * kGroupSize, 0u);
+    for (const Segment& segment : chunk.segments) {
+      if (segment.kind != SegmentKind::sum && segment.kind != SegmentKind::extend) continue;
+      for (int i = 0; i < segment.count; ++i)
+        for (int lane = 0; lane < kGroupSize; ++lane)
+          sums_[segment.sum * kGroupSize + static_cast<unsigned>(lane)] +=
+              error(chunk.origin + V2i(segment.x + i, segment.y), t + V2i(lane % kGroupWidth, lane / kGroupWidth));
+    }
+  }
+
+ private:
+  uint32_t error(V2i p, V2i t) const {
+    uint32_t around = 0;
+    for (int dy = -kMaskRadius; dy <= kMaskRadius; ++dy)
+      for (int dx = -kMaskRadius; dx <= kMaskRadius; ++dx) around += delta(p + V2i(dx, dy), t);
+    return around * delta(p, t);
+  }
+  uint32_t delta(V2i p, V2i t) const { return field_.distance(*field_.class_at(p), *field_.class_at(p + t)); }
+
+  const DistanceField& field_;
+  uint32_t* sums_;
+};
+
+bool add_sums(const uint32_t* chunk_sums, int64_t limit, int64_t* patch_sums) {
+  bool alive = false;
+  for (size_t i = 0; i < kGroupSize; ++i) {
+    patch_sums[i] += chunk_sums[i];
+    alive |= patch_sums[i] <= limit;
+  }
+  return alive;
+}
+
+std::array<uint8_t, kGroupSize> lane_order() {
+  std::array<uint8_t, kGroupSize> order{};
+  std::iota(order.begin(), order.end(), uint8_t{0});
+  return order;
+}
+
+#else
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::CappedTag<uint8_t, kGroupWidth> d8{};
+constexpr hn::Repartition<uint16_t, decltype(d8)> d16{};
+constexpr hn::Repartition<uint32_t, decltype(d8)> d32{};
+constexpr hn::Repartition<int16_t, decltype(d8)> di16{};
+constexpr hn::Repartition<int32_t, decltype(d8)> di32{};
+constexpr hn::Repartition<int64_t, decltype(d8)> d64{};
+constexpr hn::Repartition<uint64_t, decltype(d8)> du64{};
+constexpr hn::Rebind<uint32_t, decltype(d64)> d32_half{};
+
+constexpr int kRingRows = 8;  // the seven rows of the mask and the one above, which `slide` takes away
+
+// One vector for each row of a group: Lanes(d8) translations of each row are summed at a time.
+struct Bytes {
+  hn::Vec<decltype(d8)> row[kGroupRows];
+};
+
+HWY_ATTR HWY_INLINE size_t slot() { return kGroupRows * hn::Lanes(d8); }
+HWY_ATTR HWY_INLINE Bytes load(const uint8_t* from) {
+  Bytes v;
+  for (size_t r = 0; r < kGroupRows; ++r) v.row[r] = hn::Load(d8, from + r * hn::Lanes(d8));
+  return v;
+}
+HWY_ATTR HWY_INLINE void store(const Bytes& v, uint8_t* to) {
+  for (size_t r = 0; r < kGroupRows; ++r) hn::Store(v.row[r], d8, to + r * hn::Lanes(d8));
+}
+
+// The same with 16 bits: of each 16 translations the first 8 in `low`, the last 8 in `high`.
+struct Words {
+  hn::Vec<decltype(d16)> low[kGroupRows];
+  hn::Vec<decltype(d16)> high[kGroupRows];
+};
+
+HWY_ATTR HWY_INLINE Words load(const uint16_t* from) {
+  Words v;
+  for (size_t r = 0; r < kGroupRows; ++r) {
+    v.low[r] = hn::Load(d16, from + 2 * r * hn::Lanes(d16));
+    v.high[r] = hn::Load(d16, from + (2 * r + 1) * hn::Lanes(d16));
+  }
+  return v;
+}
+HWY_ATTR HWY_INLINE void store(const Words& v, uint16_t* to) {
+  for (size_t r = 0; r < kGroupRows; ++r) {
+    hn::Store(v.low[r], d16, to + 2 * r * hn::Lanes(d16));
+    hn::Store(v.high[r], d16, to + (2 * r + 1) * hn::Lanes(d16));
+  }
+}
+HWY_ATTR HWY_INLINE Words widen(const Bytes& v) {
+  Words wide;
+  for (size_t r = 0; r < kGroupRows; ++r) {
+    wide.low[r] = hn::BitCast(d16, hn::InterleaveLower(d8, v.row[r], hn::Zero(d8)));
+    wide.high[r] = hn::BitCast(d16, hn::InterleaveUpper(d8, v.row[r], hn::Zero(d8)));
+  }
+  return wide;
+}
+HWY_ATTR HWY_INLINE Words operator+(Words a, const Words& b) {
+  for (size_t r = 0; r < kGroupRows; ++r) {
+    a.low[r] = hn::Add(a.low[r], b.low[r]);
+    a.high[r] = hn::Add(a.high[r], b.high[r]);
+  }
+  return a;
+}
+HWY_ATTR HWY_INLINE Words operator-(Words a, const Words& b) {
+  for (size_t r = 0; r < kGroupRows; ++r) {
+    a.low[r] = hn::Sub(a.low[r], b.low[r]);
+    a.high[r] = hn::Sub(a.high[r], b.high[r]);
+  }
+  return a;
+}
+
+// Sums of 32 bits: of each 16 translations four in each vector.
+struct ErrorSums {
+  hn::Vec<decltype(di32)> quarter[kGroupRows][4];
+};
+
+HWY_ATTR HWY_INLINE ErrorSums load_sums(const uint32_t* from) {
+  ErrorSums sums;
+  for (size_t r = 0; r < kGroupRows; ++r)
+    for (size_t i = 0; i < 4; ++i)
+      sums.quarter[r][i] = hn::BitCast(di32, hn::LoadU(d32, from + r * kGroupWidth + i * hn::Lanes(d32)));
+  return sums;
+}
+HWY_ATTR HWY_INLINE void store_sums(const ErrorSums& sums, uint32_t* to) {
+  for (size_t r = 0; r < kGroupRows; ++r)
+    for (size_t i = 0; i < 4; ++i)
+      hn::StoreU(hn::BitCast(d32, sums.quarter[r][i]), d32, to + r * kGroupWidth + i * hn::Lanes(d32));
+}
+
+// Adds δ · (M ∗ δ) of two texels.
+HWY_ATTR HWY_INLINE void add_errors(const Bytes& delta_1, const Words& box_1, const Bytes& delta_2, const Words& box_2,
+                                    ErrorSums& sums) {
+  const auto zero = hn::Zero(d8);
+  auto unused = hn::Zero(di32);
+  for (size_t r = 0; r < kGroupRows; ++r) {
+    const auto low = hn::InterleaveLower(d8, delta_1.row[r], delta_2.row[r]);
+    const auto high = hn::InterleaveUpper(d8, delta_1.row[r], delta_2.row[r]);
+    const hn::Vec<decltype(d8)> deltas[4] = {hn::InterleaveLower(d8, low, zero), hn::InterleaveUpper(d8, low, zero),
+                                             hn::InterleaveLower(d8, high, zero), hn::InterleaveUpper(d8, high, zero)};
+    const hn::Vec<decltype(d16)> boxes[4] = {hn::InterleaveLower(d16, box_1.low[r], box_2.low[r]),
+                                             hn::InterleaveUpper(d16, box_1.low[r], box_2.low[r]),
+                                             hn::InterleaveLower(d16, box_1.high[r], box_2.high[r]),
+                                             hn::InterleaveUpper(d16, box_1.high[r], box_2.high[r])};
+    for (size_t i = 0; i < 4; ++i)
+      sums.quarter[r][i] = hn::ReorderWidenMulAccumulate(di32, hn::BitCast(di16, deltas[i]), hn::BitCast(di16, boxes[i]),
+                                                         sums.quarter[r][i], unused);
+  }
+}
+
+// Runs the segments of chunks.
+class ChunkRunner {
+ public:
+  HWY_ATTR ChunkRunner(const DistanceField& field, uint32_t* sums) : field_(field), sums_(sums) {}
+
+  // `sums` receives kGroupSize numbers for each sum of the chunk, in the order of `lane_order`.
+  HWY_ATTR void run(const Chunk& chunk, V2i t) {
+    std::fill_n(sums_, chunk.sums.size() * kGroupSize, 0u);
+    for (int lane = 0; lane < kGroupWidth; lane += static_cast<int>(hn::Lanes(d8))) {
+      const V2i there = chunk.origin + t + V2i(lane, 0);
+      if (field_.plane_count() == 1)
+        run_lanes(chunk, OnePlane(field_, chunk.origin, there), sums_ + lane);
+      else
+        run_lanes(chunk, ManyPlanes(field_, chunk.origin, there), sums_ + lane);
+    }
+  }
+
+ private:
+  // δ of the texels of a chunk's frame: the distances of each one's class to those found a translation away.
+  struct OnePlane {
+    HWY_ATTR OnePlane(const DistanceField& field, V2i here_at, V2i there_at)
+        : here(field.class_at(here_at)),
+          there(field.plane_at(there_at)),
+          tables(field.tables()),
+          stride(field.stride()) {}
+    HWY_ATTR HWY_INLINE Bytes operator()(ptrdiff_t texel) const {
+      const auto table = hn::LoadDup128(d8, tables + 16 * here[texel]);
+      Bytes found;
+      for (int r = 0; r < kGroupRows; ++r)
+        found.row[r] = hn::TableLookupBytes(table, hn::LoadU(d8, there + texel + r * stride));
+      return found;
+    }
+    const uint8_t* here;
+    const uint8_t* there;
+    const uint8_t* tables;
+    ptrdiff_t stride;
+  };
+  struct ManyPlanes : OnePlane {
+    HWY_ATTR ManyPlanes(const DistanceField& field, V2i here_at, V2i there_at)
+        : OnePlane(field, here_at, there_at), plane_count(field.plane_count()), plane_size(field.plane_size()) {}
+    HWY_ATTR HWY_INLINE Bytes operator()(ptrdiff_t texel) const {
+      Bytes found;
+      for (int r = 0; r < kGroupRows; ++r) {
+        found.row[r] = hn::Zero(d8);
+        for (int k = 0; k < plane_count; ++k) {
+          const auto table = hn::LoadDup128(d8, this->tables + 16 * (this->here[texel] * plane_count + k));
+          const auto classes = hn::LoadU(d8, this->there + texel + r * this->stride + k * plane_size);
+          found.row[r] = hn::Or(found.row[r], hn::TableLookupBytesOr0(table, classes));
+        }
+      }
+      return found;
+    }
+    int plane_count;
+    ptrdiff_t plane_size;
+  };
+
+  template <class DeltaOf>
+  HWY_ATTR void run_lanes(const Chunk& chunk, const DeltaOf& delta_of, uint32_t* sums) {
+    Window window{};
+    for (const Segment& segment : chunk.segments) switch (segment.kind) {
+        case SegmentKind::fetch: fetch(segment, delta_of); break;
+        case SegmentKind::open: open(segment); break;
+        case SegmentKind::slide: slide(segment, delta_of); break;
+        case SegmentKind::sum: window = first_window(segment); [[fallthrough]];
+        case SegmentKind::extend: sum(segment, window, sums + segment.sum * kGroupSize); break;
+      }
+  }
+
+  HWY_ATTR HWY_INLINE uint8_t* delta(int x, int y) {
+    return delta_ + static_cast<size_t>((y & (kRingRows - 1)) * kChunkStride + x) * slot();
+  }
+  HWY_ATTR HWY_INLINE uint16_t* column(int x) { return columns_ + static_cast<size_t>(1 + x) * slot(); }
+
+  template <class DeltaOf>
+  HWY_ATTR HWY_INLINE void fetch(const Segment& segment, const DeltaOf& delta_of) {
+    const ptrdiff_t texel = segment.y * delta_of.stride + segment.x;
+    uint8_t* out = delta(segment.x, segment.y);
+    const int count = segment.count;
+    for (int i = 0; i < count; ++i, out += slot()) store(delta_of(texel + i), out);
+  }
+
+  HWY_ATTR HWY_INLINE void open(const Segment& segment) {
+    for (int x = segment.x; x < segment.x + segment.count; ++x) {
+      Words sum = widen(load(delta(x, segment.y + kMaskRadius)));
+      for (int y = segment.y - kMaskRadius; y < segment.y + kMaskRadius; ++y) sum = sum + widen(load(delta(x, y)));
+      store(sum, column(x));
+    }
+  }
+
+  template <class DeltaOf>
+  HWY_ATTR HWY_INLINE void slide(const Segment& segment, const DeltaOf& delta_of) {
+    const int row = segment.y + kMaskRadius;
+    const ptrdiff_t texel = row * delta_of.stride + segment.x;
+    uint8_t* entering = delta(segment.x, row);
+    const uint8_t* leaving = delta(segment.x, row - kMaskSide);
+    uint16_t* columns = column(segment.x);
+    const int count = segment.count;
+    for (int i = 0; i < count; ++i) {
+      const Bytes fetched = delta_of(texel + i);
+      store(load(columns) + widen(fetched) - widen(load(leaving)), columns);
+      store(fetched, entering);
+      entering += slot();
+      leaving += slot();
+      columns += slot();
+    }
+  }
+
+  // M ∗ δ at a texel, and the first of the seven column sums in it.
+  struct Window {
+    Words box;
+    const uint16_t* columns;
+
+    HWY_ATTR HWY_INLINE void slide() {
+      box = box + load(columns + kMaskSide * slot()) - load(columns);
+      columns += slot();
+    }
+  };
+  // That of the texel before the segment, so that each texel begins with a slide.
+  HWY_ATTR HWY_INLINE Window first_window(const Segment& segment) {
+    Window window;
+    window.columns = column(segment.x - kMaskRadius - 1);
+    window.box = load(window.columns);
+    for (size_t i = 1; i < kMaskSide; ++i) window.box = window.box + load(window.columns + i * slot());
+    return window;
+  }
+
+  HWY_ATTR HWY_INLINE void sum(const Segment& segment, Window& window, uint32_t* to) {
+    const uint8_t* own = delta(segment.x, segment.y);
+    const int count = segment.count;
+    ErrorSums sums = load_sums(to);
+    int i = 0;
+    for (; i + 1 < count; i += 2, own += 2 * slot()) {
+      window.slide();
+      const Words first = window.box;
+      window.slide();
+      add_errors(load(own), first, load(own + slot()), window.box, sums);
+    }
+    if (i < count) {
+      window.slide();
+      Bytes none;
+      for (size_t r = 0; r < kGroupRows; ++r) none.row[r] = hn::Zero(d8);
+      add_errors(load(own), window.box, none, window.box, sums);
+    }
+    store_sums(sums, to);
+  }
+
+  const DistanceField& field_;
+  uint32_t* sums_;
+  alignas(64) uint8_t delta_[kRingRows * kChunkStride * kGroupSize];
+  // One more in front: the window before the first one. What it holds cancels out.
+  alignas(64) uint16_t columns_[(1 + kChunkStride) * kGroupSize] = {};
+};
+
+// Adds the sums of a chunk to those of a patch; whether one of them is still at most the limit.
+HWY_ATTR bool add_sums(const uint32_t* chunk_sums, int64_t limit, int64_t* patch_sums) {
+  const auto beyond = hn::Set(d64, limit);
+  auto alive = hn::Gt(beyond, beyond);
+  for (size_t i = 0; i < kGroupSize; i += hn::Lanes(d64)) {
+    const auto added = hn::BitCast(d64, hn::PromoteTo(du64, hn::LoadU(d32_half, chunk_sums + i)));
+    const auto sum = hn::Add(hn::LoadU(d64, patch_sums + i), added);
+    hn::StoreU(sum, d64, patch_sums + i);
+    alive = hn::Or(alive, hn::Not(hn::Gt(sum, beyond)));
+  }
+  return !hn::AllFalse(d64, alive);
+}
+
+// The translation of each place in a vector of sums: interleaving low and high bytes, and then low and high halves of
+// products, shuffles the lanes inside each 128-bit block.
+HWY_ATTR std::array<uint8_t, kGroupSize> lane_order() {
+  std::array<uint8_t, kGroupSize> order{};
+  const size_t n8 = hn::Lanes(d8);
+  for (size_t place = 0; place < kGroupSize; ++place) {
+    const size_t vector = place / n8;
+    const size_t quarter = place % n8 / (n8 / 4);
+    const size_t i = place % (n8 / 4);
+    order[place] = static_cast<uint8_t>(vector * n8 + i / 4 * 16 + quarter * 4 + i % 4);
+  }
+  return order;
+}
+
+#endif
+
+bool any_alive(const Chunk& chunk, const std::vector<uint8_t>& alive) {
+  return std::any_of(chunk.sums.begin(), chunk.sums.end(), [&](const ChunkSum& sum) {
+    return std::any_of(sum.patches.begin(), sum.patches.end(), [&](uint32_t patch) { return alive[patch] != 0; });
+  });
+}
+
+size_t most_sums(const BorderProgram& program) {
+  size_t most = 0;
+  for (const Chunk& chunk : program) most = std::max(most, chunk.sums.size());
+  return most;
+}
+
+HWY_ATTR void AddGroupErrors(const BorderProgram& program, const std::vector<uint32_t>& order,
+                             const DistanceField& field, V2i t, const std::vector<int64_t>& limits, GroupSums& group) {
+  const auto lanes = lane_order();
+  std::vector<int64_t> sums(group.sums.size());
+  for (size_t i = 0; i < sums.size(); ++i) sums[i] = group.sums[i - i % kGroupSize + lanes[i % kGroupSize]];
+
+  std::vector<uint32_t> chunk_sums(kGroupSize * most_sums(program));
+  ChunkRunner runner(field, chunk_sums.data());
+  for (const uint32_t c : order) {
+    const Chunk& chunk = program[c];
+    if (!any_alive(chunk, group.alive)) continue;
+    runner.run(chunk, t);
+    group.error_count += static_cast<uint64_t>(chunk.texel_count) * kGroupSize;
+    for (size_t s = 0; s < chunk.sums.size(); ++s)
+      for (const uint32_t patch : chunk.sums[s].patches)
+        if (group.alive[patch])
+          group.alive[patch] = add_sums(chunk_sums.data() + s * kGroupSize, limits[patch], sums.data() + patch * kGroupSize);
+  }
+  for (size_t i = 0; i < sums.size(); ++i) group.sums[i - i % kGroupSize + lanes[i % kGroupSize]] = sums[i];
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace texbake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace texbake {
+
+HWY_EXPORT(AddGroupErrors);
+
+DistanceField::DistanceField(ImageView<const uint8_t> classes, const ClassDistances& distances)
+    : distances_(distances) {
+  const int group_end = (classes.width() + kGroupWidth - 1) / kGroupWidth * kGroupWidth;
+  const int rows = 2 * classes.height() + 2 * kMaskRadius + kGroupRows - 1;
+  stride_ = classes.width() + group_end + 2 * kMaskRadius;
+  plane_count_ = (distances.class_count + 15) / 16;
+  plane_size_ = static_cast<size_t>(stride_) * static_cast<size_t>(rows);
+  planes_.reserve(plane_size_ * static_cast<size_t>(plane_count_));
+  for (int k = 0; k < plane_count_; ++k)
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < stride_; ++x) {
+        const int class_idx = classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height()));
+        planes_.push_back(class_idx / 16 == k ? static_cast<uint8_t>(class_idx % 16) : uint8_t{128});
+      }
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < stride_; ++x)
+      classes_.push_back(
+          classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height())));
+
+  for (int a = 0; a < distances.class_count; ++a)
+    for (int k = 0; k < plane_count_; ++k)
+      for (int b = 16 * k; b < 16 * k + 16; ++b)
+        tables_.push_back(b < distances.class_count ? distances.at(a, b) : uint8_t{0});
+}
+
+void add_group_errors(const BorderProgram& program, const std::vector<uint32_t>& order, const DistanceField& field,
+                      V2i t, const std::vector<int64_t>& limits, GroupSums& group) {
+  HWY_DYNAMIC_DISPATCH(AddGroupErrors)(program, order, field, t, limits, group);
+}
+
+}  // namespace texbake
+#endif  // HWY_ONCE
