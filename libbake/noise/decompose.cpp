@@ -106,7 +106,8 @@ void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& opti
                                               "found {}",
                                               kMaxNoises, kMaxNoises - 1, options.noises));
   const Image<float> light = luminance(exemplar);
-  LocalSpectra(light, smallest);  // throws when it cannot be made
+  for (const int size : {smallest, options.mask_size.value_or(smallest)})
+    LocalSpectra(light, size);  // throws when it cannot be made
 }
 
 LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options) {
@@ -116,7 +117,8 @@ LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, c
   candidate.structure = extract_structure(
       exemplar, spectra, {.sigma = static_cast<double>(options.sigma), .iterations = options.iterations});
   round_to_half(candidate.structure);
-  candidate.masks = make_masks(exemplar, spectra, options);
+  candidate.masks =
+      make_masks(exemplar, options.mask_size ? LocalSpectra(light, *options.mask_size) : spectra, options);
   candidate.synthesis = synthesise(exemplar, candidate.structure, candidate.masks, local_size);
   candidate.test = compare(exemplar, candidate.synthesis, local_size);
   return candidate;

@@ -29,6 +29,7 @@ struct DecomposeOptions {
   int noises = 3;                 ///< K
   std::optional<int> local_size;  ///< T_loc
   MaskKind masks = MaskKind::binary;
+  std::optional<int> mask_size;  ///< T_loc of the spectra that masks are made from
   float color_weight = 1.0f;
   float sharp_border_px = 0.0f;
   SecondPass second_pass = SecondPass::automatic;
@@ -49,6 +50,13 @@ struct DecomposeOptions {
                                  .help = "side of the local spectra: 2, 4, 8 or 16; larger moves more into the noise",
                                  .auto_help = "the largest whose synthesis still resembles the exemplar"});
     visit(self.masks, Field{.name = "masks", .help = "binary: sharp transitions; soft: blends"});
+    visit(self.mask_size, Field{.name = "mask-size",
+                                .unit = "texels",
+                                .min = 2,
+                                .max = 16,
+                                .help = "side of the local spectra of the masks: 2, 4, 8 or 16; small: exact borders, "
+                                        "large: noises that differ little",
+                                .auto_help = "the local size"});
     visit(self.color_weight, Field{.name = "mask-color-weight",
                                    .min = 0,
                                    .max = 100,

@@ -128,11 +128,9 @@ Image<float> realise_channel(const NoiseChannel& channel, ImageView<const std::c
 void measure_tile(ImageView<const float> channel, Noise& noise) {
   const Image<float>& model = noise.channels[0].spectrum;
   if (!(spectrum_power(model) > 0.0)) return;
-  const Image<uint8_t> everywhere(channel.width(), channel.height(), 1);
-  const Image<float> spectrum =
-      MaskedSpectrum(everywhere, model.width(), SpectrumEstimator::autocovariance).estimate(channel);
-  noise.figures.tile_difference_db = spectrum_difference_db(spectrum, model);
-  noise.figures.tile_variance_ratio = spectrum_power(spectrum) / spectrum_power(model);
+  const Image<float> measured = periodogram(channel);
+  noise.figures.tile_difference_db = spectrum_difference_db(measured, resample_spectrum(model, channel.width()));
+  noise.figures.tile_variance_ratio = spectrum_power(measured) / spectrum_power(model);
 }
 
 void bake_tiles(std::vector<Noise>& noises, const EstimatePsdOptions& options) {

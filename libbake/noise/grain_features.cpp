@@ -6,6 +6,7 @@
 
 #include "libbake/base/gaussian.h"
 #include "libbake/base/parallel.h"
+#include "libbake/base/portable_math.h"
 #include "libbake/noise/lanes.h"
 
 namespace texbake {
@@ -75,6 +76,15 @@ Vectors GrainFeatures::take_samples() const {
         for (int d = 0; d < dimensions(); ++d) samples.row(j * columns_ + i)[d] = features.row(j * step_, d)[i * step_];
   });
   return samples;
+}
+
+double GrainFeatures::mixture(int d, float a, float b) const {
+  if (d >= dimensions() - 3) return 0.5 * (static_cast<double>(a) + static_cast<double>(b));
+  const double weight = spectra_.bins()[static_cast<size_t>(d)].weight == 2 ? 1.41421356237309504880 : 1.0;
+  const double floor = 0.1 / spectra_.local_size();
+  const double amplitude_a = portable_exp(static_cast<double>(a) / weight) - floor;
+  const double amplitude_b = portable_exp(static_cast<double>(b) / weight) - floor;
+  return weight * portable_log(std::sqrt(0.5 * (amplitude_a * amplitude_a + amplitude_b * amplitude_b)) + floor);
 }
 
 double GrainFeatures::luminance_of(const float* features) const {

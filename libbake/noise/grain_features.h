@@ -27,6 +27,8 @@ class GrainFeatures {
   const Vectors& samples() const { return samples_; }
   /// The texel of sample i.
   V2i sample_place(int i) const { return {i % columns_ * step_, i / columns_ * step_}; }
+  /// Dimension d of a texel around which two noises of features a and b have half of the power each.
+  double mixture(int d, float a, float b) const;
   /// The luminance of a feature vector's colour, up to a common factor.
   double luminance_of(const float* features) const;
 

@@ -39,18 +39,66 @@ Lanes squared_distances(const SpectraRows& features, int y, int x, const float* 
   return sum;
 }
 
-void assign_binary(const SpectraRows& features, int y, const Vectors& centres, std::vector<Image<float>>& masks) {
+/// Where two noises meet, a local spectrum sees both: half of the power of each. On the way from centre a to centre b,
+/// in logarithms, that mixture does not lie half-way, but at this share: the border between two masks belongs there.
+/// Kept within 0.35 … 0.65, as inside a cluster features spread, too.
+float mixture_share(const GrainFeatures& features, const float* a, const float* b) {
+  double along = 0.0;
+  double squared = 0.0;
+  for (int d = 0; d < features.dimensions(); ++d) {
+    const double step = static_cast<double>(b[d]) - static_cast<double>(a[d]);
+    along += step * (features.mixture(d, a[d], b[d]) - static_cast<double>(a[d]));
+    squared += step * step;
+  }
+  return squared > 0.0 ? static_cast<float>(std::clamp(along / squared, 0.35, 0.65)) : 0.5f;
+}
+
+/// The centres, and for each pair where the border between them lies.
+struct Borders {
+  Borders(const GrainFeatures& features, const Vectors& all_centres)
+      : centres(all_centres),
+        count(static_cast<size_t>(centres.count())),
+        share(count * count),
+        squared(count * count) {
+    for (size_t a = 0; a < count; ++a)
+      for (size_t b = 0; b < count; ++b) {
+        const float* from = centres.row(static_cast<int>(a));
+        const float* to = centres.row(static_cast<int>(b));
+        squared[a * count + b] = squared_distance(from, to, centres.stride());
+        share[a * count + b] = a < b ? mixture_share(features, from, to) : 1.0f - mixture_share(features, to, from);
+      }
+  }
+  /// The cluster of a texel at these squared distances from the centres: the nearest one, or the second nearest where
+  /// the texel is past the border between the two.
+  size_t cluster(const float* distances) const {
+    size_t nearest = 0;
+    for (size_t k = 1; k < count; ++k)
+      if (distances[k] < distances[nearest]) nearest = k;
+    size_t second = nearest;
+    for (size_t k = 0; k < count; ++k)
+      if (k != nearest && (second == nearest || distances[k] < distances[second])) second = k;
+    if (second == nearest) return nearest;
+    const size_t pair = nearest * count + second;
+    const float along = distances[nearest] - distances[second] + squared[pair];  // 2 · squared · the share of the way
+    return along > 2.0f * squared[pair] * share[pair] ? second : nearest;
+  }
+  const Vectors& centres;
+  size_t count;
+  std::vector<float> share;
+  std::vector<float> squared;
+};
+
+void assign_binary(const SpectraRows& features, int y, const Borders& borders, std::vector<Image<float>>& masks) {
   const int width = masks.front().width();
+  std::vector<Lanes> squared(borders.count);
+  std::vector<float> distances(borders.count);
   for (int x = 0; x < width; x += kLanes) {
-    LaneBits nearest{};
-    Lanes least = squared_distances(features, y, x, centres.row(0));
-    for (int k = 1; k < centres.count(); ++k) {
-      const Lanes squared = squared_distances(features, y, x, centres.row(k));
-      const LaneBits closer = squared < least;
-      least = closer ? squared : least;
-      nearest = closer ? LaneBits{k, k, k, k} : nearest;
+    for (size_t k = 0; k < borders.count; ++k)
+      squared[k] = squared_distances(features, y, x, borders.centres.row(static_cast<int>(k)));
+    for (int i = 0; i < kLanes && x + i < width; ++i) {
+      for (size_t k = 0; k < borders.count; ++k) distances[k] = squared[k][i];
+      masks[borders.cluster(distances.data())](x + i, y) = 1.0f;
     }
-    for (int i = 0; i < kLanes && x + i < width; ++i) masks[static_cast<size_t>(nearest[i])](x + i, y) = 1.0f;
   }
 }
 
@@ -212,9 +260,10 @@ std::vector<Image<float>> assign_masks(const GrainFeatures& features, const Vect
   std::vector<Image<float>> masks;
   for (int k = 0; k < centres.count(); ++k) masks.emplace_back(features.width(), features.height());
   const Hull hull(centres);
+  const Borders borders(features, centres);
   for_each_row(features, features.height(), [&](const SpectraRows& rows, int y) {
     if (kind == MaskKind::binary)
-      assign_binary(rows, y, centres, masks);
+      assign_binary(rows, y, borders, masks);
     else
       assign_soft(rows, y, centres, hull, masks);
   });

@@ -14,7 +14,7 @@
 namespace texbake {
 
 enum class MaskKind {
-  binary,  ///< 1 for the nearest centre, 0 for the others: sharp transitions
+  binary,  ///< 1 for one noise, 0 for the others: the nearest centre, borders where both have half of the power
   soft,    ///< a convex barycentre that keeps relative distances
 };
 template <>

@@ -168,11 +168,25 @@ double spectrum_power(ImageView<const float> spectrum) {
   return sum;
 }
 
+Image<float> periodogram(ImageView<const float> tile) {
+  const Image<std::complex<float>> transform = fft<float>(tile);
+  Image<float> spectrum(tile.width(), tile.height());
+  const float scale = 1.0f / static_cast<float>(tile.size());
+  for (size_t i = 0; i < spectrum.size(); ++i) {
+    const std::complex<float> value = transform.data()[i] * scale;
+    spectrum.data()[i] = std::sqrt(value.real() * value.real() + value.imag() * value.imag());
+  }
+  spectrum(0, 0) = 0.0f;
+  return spectrum;
+}
+
 Image<float> resample_spectrum(ImageView<const float> spectrum, int size) {
   const int from = spectrum.width();
   Image<double> power(from, from);
   for (size_t i = 0; i < power.size(); ++i)
     power.data()[i] = static_cast<double>(spectrum.data()[i]) * static_cast<double>(spectrum.data()[i]);
+  // S(0) is 0 by definition; between it and its neighbours the power does not dip.
+  power(0, 0) = 0.25 * (power(1, 0) + power(from - 1, 0) + power(0, 1) + power(0, from - 1));
   const Image<double> autocovariance = even_transform<double>(power);
 
   // Lags of ±T/2 are one sample of the small torus and two of the large one.

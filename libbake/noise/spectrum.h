@@ -63,6 +63,9 @@ double masked_mean(ImageView<const float> image, ImageView<const uint8_t> mask);
 /// Σ S².
 double spectrum_power(ImageView<const float> spectrum);
 
+/// The magnitudes of a periodic realisation itself, without its mean: Σ S² is its variance.
+Image<float> periodogram(ImageView<const float> tile);
+
 /// The same noise on size×size frequencies, size ≥ T: the autocovariance continues with zeros. Σ S² is kept.
 Image<float> resample_spectrum(ImageView<const float> spectrum, int size);
 
