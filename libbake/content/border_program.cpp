@@ -87,8 +87,8 @@ class ChunkMaker {
       if (!in_segment(x)) continue;
       const int begin = x;
       while (x < kChunkStride && in_segment(x)) ++x;
-      chunk_.segments.push_back({kind, static_cast<uint8_t>(y), static_cast<uint8_t>(begin),
-                                 static_cast<uint8_t>(x - begin)});
+      chunk_.segments.push_back(
+          {kind, static_cast<uint8_t>(y), static_cast<uint8_t>(begin), static_cast<uint8_t>(x - begin)});
     }
   }
 

@@ -1,7 +1,7 @@
 // The dilated borders of all patches, cut into chunks whose errors are summed for many translations at once.
 //
-// E(p, p+t) of eq. 3 does not know to which patch p belongs, so borders that two patches share are summed once for both.
-// A chunk is a block of the torus; its border texels are reached row by row, and M ∗ δ by running sums:
+// E(p, p+t) of eq. 3 does not know to which patch p belongs, so borders that two patches share are summed once for
+// both. A chunk is a block of the torus; its border texels are reached row by row, and M ∗ δ by running sums:
 //
 //   fetch   δ of a row, three rows ahead of the errors      . . . x x x x . .
 //   open    column sums of seven rows of δ, from nothing      | | | |
@@ -20,7 +20,8 @@
 
 namespace texbake {
 
-inline constexpr int kChunkSide = 32;  ///< texels: larger blocks share more of δ, smaller ones keep it in the nearest cache
+inline constexpr int kChunkSide =
+    32;  ///< texels: larger blocks share more of δ, smaller ones keep it in the nearest cache
 inline constexpr int kChunkStride = kChunkSide + 2 * kMaskRadius;  ///< columns of δ that a chunk needs
 
 enum class SegmentKind : uint8_t { fetch, open, slide, sum, extend };

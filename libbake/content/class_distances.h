@@ -20,7 +20,7 @@ inline constexpr int kMaxContentClasses = 128;
 /// δ between classes: ‖C_a − C_b‖² in steps of `step`, rounded to the nearest.
 struct ClassDistances {
   int class_count = 0;
-  double step = 1;              ///< ΔE² of one step; the farthest two classes are kMaxDistanceSteps apart
+  double step = 1;             ///< ΔE² of one step; the farthest two classes are kMaxDistanceSteps apart
   std::vector<uint8_t> steps;  ///< class_count², symmetric, 0 on the diagonal
 
   uint8_t at(int a, int b) const {

@@ -13,8 +13,8 @@ namespace texbake {
 ///   c + translation + (a·d.x − b·d.y, b·d.x + a·d.y) / 65536,   wrapped to the tile,
 /// with a = 65536 cos θ / λ and b = −65536 sin θ / λ: the content appears turned by θ and λ times its size.
 struct Content {
-  V2i translation{0, 0};           ///< texels, shortest on the torus; the identity is (0, 0)
-  int32_t a = 65536;         ///< 16.16 fixed point
+  V2i translation{0, 0};  ///< texels, shortest on the torus; the identity is (0, 0)
+  int32_t a = 65536;      ///< 16.16 fixed point
   int32_t b = 0;
   int rotation_eighths = 0;  ///< θ in multiples of π/4, 0 … 7, from x towards y: clockwise as seen
   float scale = 1.0f;        ///< λ, 0.5 … 1

@@ -104,11 +104,11 @@ class Rounds {
     return found;
   }
 
-  // A limit is the sum of the last candidate among those found so far. A few more than asked for are required, since a
-  // better translation found later may stand in the way of two.
+  // A limit is the sum of the last candidate among those found so far. Of many a few more are required than asked for,
+  // since a better translation found later may stand in the way of two.
   void learn_limits() {
     SearchRequest wider = request_;
-    wider.count += std::max(4, request_.count / 8);
+    wider.count += request_.count / 16;
     parallel_for(0, static_cast<int>(open_.size()), [&](int i) {
       const auto patch = static_cast<size_t>(i);
       if (!open_[patch]) return;
@@ -145,8 +145,7 @@ std::vector<uint32_t> chunk_order(const BorderProgram& program) {
 
 }  // namespace
 
-GroupSearch::GroupSearch(ImageView<const uint8_t> classes, const ClassDistances& distances,
-                         const PatchBorders& borders)
+GroupSearch::GroupSearch(ImageView<const uint8_t> classes, const ClassDistances& distances, const PatchBorders& borders)
     : size_(classes.width(), classes.height()),
       patch_count_(borders.patch_count),
       program_(border_program(borders, classes, distances)),

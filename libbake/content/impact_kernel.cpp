@@ -163,13 +163,12 @@ HWY_ATTR HWY_INLINE void add_errors(const Bytes& delta_1, const Words& box_1, co
     const auto high = hn::InterleaveUpper(d8, delta_1.row[r], delta_2.row[r]);
     const hn::Vec<decltype(d8)> deltas[4] = {hn::InterleaveLower(d8, low, zero), hn::InterleaveUpper(d8, low, zero),
                                              hn::InterleaveLower(d8, high, zero), hn::InterleaveUpper(d8, high, zero)};
-    const hn::Vec<decltype(d16)> boxes[4] = {hn::InterleaveLower(d16, box_1.low[r], box_2.low[r]),
-                                             hn::InterleaveUpper(d16, box_1.low[r], box_2.low[r]),
-                                             hn::InterleaveLower(d16, box_1.high[r], box_2.high[r]),
-                                             hn::InterleaveUpper(d16, box_1.high[r], box_2.high[r])};
+    const hn::Vec<decltype(d16)> boxes[4] = {
+        hn::InterleaveLower(d16, box_1.low[r], box_2.low[r]), hn::InterleaveUpper(d16, box_1.low[r], box_2.low[r]),
+        hn::InterleaveLower(d16, box_1.high[r], box_2.high[r]), hn::InterleaveUpper(d16, box_1.high[r], box_2.high[r])};
     for (size_t i = 0; i < 4; ++i)
-      sums.quarter[r][i] = hn::ReorderWidenMulAccumulate(di32, hn::BitCast(di16, deltas[i]), hn::BitCast(di16, boxes[i]),
-                                                         sums.quarter[r][i], unused);
+      sums.quarter[r][i] = hn::ReorderWidenMulAccumulate(di32, hn::BitCast(di16, deltas[i]),
+                                                         hn::BitCast(di16, boxes[i]), sums.quarter[r][i], unused);
   }
 }
 
@@ -233,11 +232,21 @@ class ChunkRunner {
   HWY_ATTR void run_lanes(const Chunk& chunk, const DeltaOf& delta_of, uint32_t* sums) {
     Window window{};
     for (const Segment& segment : chunk.segments) switch (segment.kind) {
-        case SegmentKind::fetch: fetch(segment, delta_of); break;
-        case SegmentKind::open: open(segment); break;
-        case SegmentKind::slide: slide(segment, delta_of); break;
-        case SegmentKind::sum: window = first_window(segment); [[fallthrough]];
-        case SegmentKind::extend: sum(segment, window, sums + segment.sum * kGroupSize); break;
+        case SegmentKind::fetch:
+          fetch(segment, delta_of);
+          break;
+        case SegmentKind::open:
+          open(segment);
+          break;
+        case SegmentKind::slide:
+          slide(segment, delta_of);
+          break;
+        case SegmentKind::sum:
+          window = first_window(segment);
+          [[fallthrough]];
+        case SegmentKind::extend:
+          sum(segment, window, sums + segment.sum * kGroupSize);
+          break;
       }
   }
 
@@ -383,7 +392,8 @@ HWY_ATTR void AddGroupErrors(const BorderProgram& program, const std::vector<uin
     for (size_t s = 0; s < chunk.sums.size(); ++s)
       for (const uint32_t patch : chunk.sums[s].patches)
         if (group.alive[patch])
-          group.alive[patch] = add_sums(chunk_sums.data() + s * kGroupSize, limits[patch], sums.data() + patch * kGroupSize);
+          group.alive[patch] =
+              add_sums(chunk_sums.data() + s * kGroupSize, limits[patch], sums.data() + patch * kGroupSize);
   }
   for (size_t i = 0; i < sums.size(); ++i) group.sums[i - i % kGroupSize + lanes[i % kGroupSize]] = sums[i];
 }
@@ -414,8 +424,7 @@ DistanceField::DistanceField(ImageView<const uint8_t> classes, const ClassDistan
       }
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < stride_; ++x)
-      classes_.push_back(
-          classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height())));
+      classes_.push_back(classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height())));
 
   for (int a = 0; a < distances.class_count; ++a)
     for (int k = 0; k < plane_count_; ++k)
