@@ -114,12 +114,12 @@ double solve(const std::vector<LobeSample>& samples, int table_size, Start& star
     bound(5, 1.0, narrowest);
   }
   ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.dense_linear_algebra_library_type = ceres::EIGEN;
   options.num_threads = 1;
   options.max_num_iterations = 40;
   options.max_solver_time_in_seconds = 1e9;  // never a matter of the machine's speed
-  options.function_tolerance = 1e-5;
+  options.function_tolerance = 1e-4;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
