@@ -31,29 +31,34 @@ V3f hue_color(uint32_t label) {
   return V3f(channel(0), channel(2), channel(4)) * light + V3f(0.08f);
 }
 
-/// True where the texel to the right or below belongs to another patch, or to another repetition of the same one.
-bool on_border(Program& program, const Texel& texel, const Decision& decision) {
+/// A texel of the view, and those that the view shows to its right and below.
+struct Shown {
+  Texel texel, right, lower;
+};
+
+/// True where what is shown to the right or below belongs to another patch, or to another repetition of the same one.
+bool on_border(Program& program, const Shown& at, const Decision& decision) {
   const auto differs = [&](const Texel& other) {
     const Decision there = program.decide(other);
     const auto owner = [](const Texel& t, const Decision& d) {
       return std::pair(t.tile.x + static_cast<uint32_t>(d.owner.x), t.tile.y + static_cast<uint32_t>(d.owner.y));
     };
-    return there.patch_idx != decision.patch_idx || owner(other, there) != owner(texel, decision);
+    return there.patch_idx != decision.patch_idx || owner(other, there) != owner(at.texel, decision);
   };
-  return differs(program.right_of(texel)) || differs(program.below(texel));
+  return differs(at.right) || differs(at.lower);
 }
 
-V3f content_color(int content) { return content == 0 ? V3f(0.4f) : hue_color(static_cast<uint32_t>(content) * 7u); }
+V3f content_color(int content) { return content == 0 ? V3f(0.4f) : hue_color(static_cast<uint32_t>(content)); }
 
 /// The colour of one texel of the view.
-V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Texel& texel) {
-  const Decision decision = program.decide(texel);
-  const glsl::ivec2 source = program.source_of(texel, decision).nearest;
+V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Shown& at) {
+  const Decision decision = program.decide(at.texel);
+  const glsl::ivec2 source = program.source_of(at.texel, decision).nearest;
   switch (show) {
     case Show::patches:
-      return on_border(program, texel, decision) ? V3f(kBorder) : hue_color(static_cast<uint32_t>(decision.patch_idx));
+      return on_border(program, at, decision) ? V3f(kBorder) : hue_color(static_cast<uint32_t>(decision.patch_idx));
     case Show::contents:
-      return on_border(program, texel, decision) ? V3f(kBorder) : content_color(decision.content);
+      return on_border(program, at, decision) ? V3f(kBorder) : content_color(decision.content);
     case Show::fragments:
       return hue_color(planes.fragment_idx(source.x, source.y));
     case Show::index:
@@ -84,10 +89,18 @@ Image<V3f> show_rows(const EvaluatorPlanes& planes, const Window& window, Show s
   const glsl::Position origin = origin_of(window);
   parallel_for(0, rows.height(), [&](int j) {
     Program program = program_of(planes, window.seed);
+    const auto texel_of = [&](int x, int y) {
+      const glsl::uvec2 pixel{static_cast<uint32_t>(x), static_cast<uint32_t>(y)};
+      return program.texel_at(program.pixel_position(origin, window.step_256, pixel));
+    };
+    const int y = row_begin + j;
     for (int i = 0; i < rows.width(); ++i) {
-      const glsl::uvec2 pixel{static_cast<uint32_t>(i), static_cast<uint32_t>(row_begin + j)};
-      const Texel texel = program.texel_at(program.pixel_position(origin, window.step_256, pixel));
-      rows(i, j) = shown(planes, program, show, texel);
+      const Texel texel = texel_of(i, y);
+      // Borders are one pixel wide, one texel where texels are larger.
+      const bool small = window.step_256 > 256;
+      const Texel right = small ? texel_of(i + 1, y) : program.right_of(texel);
+      const Texel lower = small ? texel_of(i, y + 1) : program.below(texel);
+      rows(i, j) = shown(planes, program, show, {texel, right, lower});
     }
   });
   return rows;
