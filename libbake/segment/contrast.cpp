@@ -11,7 +11,7 @@ namespace {
 
 // Between smooth concrete, 1.4, and the next fainter of fourteen photographs, worn wood, 3.1.
 constexpr double kFaintBorder = 2.0;
-// No photograph is above 0.3; a picture without any feature is at 1.
+// Sand, whose only feature is its grain, has 0.64, the other photographs at most 0.45; a picture without any feature 1.
 constexpr double kSizeLimited = 0.75;
 
 /// Sums over the edges to the right and below of one row.

@@ -15,7 +15,7 @@ namespace texbake {
 namespace {
 
 // Chosen on fourteen photographs of 512² and 1024², looking at the fragments over the picture: leaves, pebbles and
-// bricks come out whole, and there are 500 to 1300 fragments.
+// bricks come out whole, and there are 640 to 1450 fragments, fewer on smooth concrete (520) and on sand (370).
 constexpr double kThresholdPerMedian = 0.9;  // of |v|; more merges features, less breaks them up
 constexpr float kLeastThreshold = 1.0f;      // ΔE; below it nobody sees a border
 constexpr double kMinAreaShare = 1.0 / 2560;
