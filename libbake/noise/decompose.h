@@ -91,7 +91,7 @@ struct Decomposition {
   std::vector<Image<float>> masks;  ///< K, and one more with sharp borders; see masks.h
   LocalSizeChoice local_size;
   std::vector<SynthesisTest> tested;  ///< every T_loc that was tried, by rising size; first pass
-  SynthesisTest result;               ///< of what is returned
+  SynthesisTest result;               ///< of the last pass, before sharp borders
   bool second_pass = false;           ///< whether it ran
   double noise_share = 0;             ///< variance of the noise's luminance / the exemplar's
   std::vector<double> mask_share;     ///< mean of each mask

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kReach = 8;                    // the largest |δ| along an axis
 constexpr int kRowOffsets = 2 * kReach + 1;  // δx = −8 … 8 of one row above
-constexpr int kPairRows = kReach + 1;        // δy = −8 … 0
 constexpr float kUnitWeight = 65535.0f;
 static_assert(kReach <= SpectraRows::kMargin);
 
