@@ -42,6 +42,8 @@ std::string default_picture_path(const std::string& bundle, const std::string& e
   return stem(bundle) + extension;
 }
 
+std::string default_web_folder(const std::string& bundle) { return stem(bundle) + "_web"; }
+
 void check_bundle_target(const std::string& path) {
   std::error_code status;
   if (!fs::exists(path, status)) return check_parent_folder(path);
@@ -56,14 +58,6 @@ void check_file_target(const std::string& path) {
   std::error_code status;
   if (fs::is_directory(path, status)) refuse(path, "expected a file or nothing, found a folder");
   check_parent_folder(path);
-}
-
-void check_bundle_source(const std::string& path) {
-  std::error_code status;
-  if (!fs::exists(path, status)) refuse(path, "no such bundle");
-  if (!fs::is_directory(path, status)) refuse(path, "expected a bundle (a folder NAME.texbundle), found a file");
-  if (!fs::exists(fs::path(path) / kManifest, status))
-    refuse(path, "expected a bundle, found a folder without bundle.json");
 }
 
 }  // namespace texbake

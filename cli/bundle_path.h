@@ -11,12 +11,11 @@ inline constexpr const char* kBundleExtension = ".texbundle";
 std::string default_bundle_path(const std::string& input);
 /// `leaves.png` in the working folder for `dir/leaves.texbundle`.
 std::string default_picture_path(const std::string& bundle, const std::string& extension);
+/// `leaves_web` in the working folder for `dir/leaves.texbundle`.
+std::string default_web_folder(const std::string& bundle);
 
 /// Throw Error(io) when something stands at `path` that is not a bundle (not a file), or its folder cannot be written.
 void check_bundle_target(const std::string& path);
 void check_file_target(const std::string& path);
-
-/// Throws Error(io) when `path` is not a bundle's folder: what was found instead.
-void check_bundle_source(const std::string& path);
 
 }  // namespace texbake

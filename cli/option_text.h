@@ -11,7 +11,7 @@
 
 namespace texbake {
 
-/// The values an option accepts, in words: "1 to 64 colours", "impact|balanced", "a text".
+/// The values an option accepts, in words: "1 to 64 colours", "impact|balanced"; for a text, its unit.
 std::string number_range_text(const Field& field);
 std::string names_text(std::span<const std::string_view> names);
 
@@ -99,7 +99,7 @@ std::string accepted_text(const Field& field) {
   else if constexpr (std::is_arithmetic_v<T>)
     return number_range_text(field);
   else
-    return "a text";
+    return *field.unit ? field.unit : "TEXT";
 }
 
 }  // namespace texbake

@@ -26,10 +26,11 @@ struct RenderOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.size, Field{.name = "size", .help = "WIDTHxHEIGHT of the picture in pixels, or one side of a square"});
+    visit(self.size,
+          Field{.name = "size", .unit = "WIDTHxHEIGHT", .help = "of the picture in pixels; one number makes a square"});
     visit(self.origin, Field{.name = "origin",
-                             .help = "X,Y of its upper left corner in texels; negative, far and "
-                                     "decimal ones too"});
+                             .unit = "X,Y",
+                             .help = "of its upper left corner in texels; may be negative, far, decimal"});
     visit(self.step_texels, Field{.name = "step",
                                   .unit = "texels",
                                   .min = 0.00390625,
@@ -125,7 +126,6 @@ Outcome run(const Request& request, Console& console) {
   check_options(request.options);
   check_picture_name(path, request.options.bits);
   parse_size("size", request.options.size);
-  check_bundle_source(request.bundle);
   check_file_target(path);
   render(request, path, console);
   return {.text = path + "\n", .result = {{"output", path}}};

@@ -26,7 +26,6 @@ Outcome written_bundle(const std::string& path, const std::vector<Stage>& stages
 
 Outcome change_bundle(const BundlePaths& paths, const std::string& verb, Console& console,
                       const std::function<void(Bundle&)>& change) {
-  check_bundle_source(paths.input);
   check_bundle_target(paths.target());
   Bundle bundle = read_bundle(paths.input);
   change(bundle);

@@ -67,20 +67,13 @@ void warn_of_low_contrast(const ContrastReport& contrast, Console& console) {
                         100 * contrast.size_limited_share));
 }
 
-/// Least and greatest impact over all contents but the identities; 0 when there are no others.
-Json impact_figures(const ContentSelection& selection) {
-  float least = 0, most = 0;
-  for (int patch = 0; patch < selection.table.patch_count; ++patch)
-    for (int content = 1; content < selection.table.content_count; ++content) {
-      const float impact = selection.table.at(patch, content).impact;
-      least = patch == 0 && content == 1 ? impact : std::min(least, impact);
-      most = std::max(most, impact);
-    }
-  return {{"bestImpact", json_number(least)},
-          {"worstImpact", json_number(most)},
-          {"meanPairImpact", selection.pairs.mean},
-          {"worstPairImpact", selection.pairs.worst},
-          {"search", enum_name(selection.search)}};
+Json content_figures(const SelectContentsFigures& figures) {
+  return {{"contentClasses", figures.content_classes},  {"saliencyThreshold", figures.saliency_threshold},
+          {"salientShare", figures.salient_share},      {"bestImpact", figures.best_impact},
+          {"meanImpact", figures.mean_impact},          {"worstImpact", figures.worst_impact},
+          {"meanPairImpact", figures.mean_pair_impact}, {"worstPairImpact", figures.worst_pair_impact},
+          {"repetitionNear", figures.repetition_near},  {"repetitionFar", figures.repetition_far},
+          {"useDeviation", figures.use_deviation},      {"computedShare", figures.computed_share}};
 }
 
 }  // namespace
@@ -112,11 +105,9 @@ void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, C
   const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
   const PatchMap& patches = required(scale.patches, "patches", "patch");
   RunningStage stage(bundle, "select-contents", console);
-  const SelectContentsOptions resolved = resolve(options, scale.width(), scale.height_px());
-  ContentSelection selection = select_contents(colors, scale.base(), patches, resolved, stage.progress());
-  const Json figures = impact_figures(selection);
+  ContentSelection selection = select_contents(colors, scale.base(), patches, options, stage.progress());
   scale.contents = std::move(selection.table);
-  stage.finish(parameters_of(options, resolved), figures);
+  stage.finish(parameters_of(options, selection.effective), content_figures(selection.figures));
 }
 
 }  // namespace texbake

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "cli/bundle_path.h"
 #include "cli/command.h"
 
 namespace texbake {
@@ -35,6 +34,9 @@ const char* verdict_text(ExitCode code) {
 Outcome run(const std::string& path, Console& console) {
   console.step("verify");
   const std::vector<Issue> issues = verify_bundle(path);
+  // What is not there, or cannot be read, is no bundle to judge.
+  for (const Issue& issue : issues)
+    if (issue.kind().error == ErrorKind::io) throw Error(ErrorKind::io, fmt::format("{}: {}", path, text(issue)));
   Outcome outcome;
   outcome.code = verdict(issues);
   Json list = Json::array();

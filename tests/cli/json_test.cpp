@@ -1,0 +1,107 @@
+// Every verb's --json against the published schemas, by running the program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+namespace texbake {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// What the program wrote to stdout.
+std::string run(const std::string& arguments) {
+  const std::string command = std::string(TEXBAKE_PROGRAM) + " " + arguments + " 2> /dev/null";
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  std::array<char, 4096> block{};
+  for (size_t count; (count = fread(block.data(), 1, block.size(), pipe)) > 0;) text.append(block.data(), count);
+  pclose(pipe);
+  return text;
+}
+
+/// The messages of the schema's validator; empty for a valid document.
+std::string faults(const std::string& schema_name, const json& document) {
+  const json schema_json = json::parse(std::ifstream(fs::path(TEXBAKE_SCHEMAS) / schema_name));
+  valijson::Schema schema;
+  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
+  valijson::ValidationResults results;
+  valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results);
+  std::string text;
+  for (valijson::ValidationResults::Error error; results.popError(error);) text += error.description + "\n";
+  return text;
+}
+
+class CommandLineJson : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder() = fs::temp_directory_path() / ("texbake_json_test_" + std::to_string(getpid()));
+    fs::create_directory(folder());
+    const std::string draw = std::string(TEXBAKE_EXEMPLARS) + " " + folder().string() + " 128";
+    ASSERT_EQ(std::system(draw.c_str()), 0);
+    run("bake " + at("pebbles.png") + " -o " + at("a.texbundle"));
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder()); }
+
+  static fs::path& folder() {
+    static fs::path path;
+    return path;
+  }
+  static std::string at(const std::string& name) { return (folder() / name).string(); }
+  /// Runs with --json; checks the schema and that the exit code is the one expected.
+  static json valid_output(const std::string& arguments, int exit_code) {
+    const std::string text = run(arguments + " --json");
+    const json output = json::parse(text, nullptr, false);
+    EXPECT_FALSE(output.is_discarded()) << arguments << ": not one JSON object:\n" << text;
+    if (output.is_discarded()) return {};
+    EXPECT_EQ(faults("output.schema.json", output), "") << arguments << "\n" << text;
+    EXPECT_EQ(output["exitCode"], exit_code) << text;
+    return output;
+  }
+};
+
+TEST_F(CommandLineJson, EveryVerbWritesOneObjectOfTheSchema) {
+  const std::string bundle = at("a.texbundle");
+  valid_output("convert " + at("bricks.png") + " -o " + at("b.texbundle"), 0);
+  valid_output("fragment " + bundle + " -o " + at("b.texbundle"), 0);
+  valid_output("patch " + bundle + " -o " + at("b.texbundle"), 0);
+  valid_output("select-contents " + bundle + " -o " + at("b.texbundle"), 0);
+  valid_output("bake " + at("bricks.png") + " -o " + at("b.texbundle"), 0);
+  valid_output("render " + bundle + " --size 16 -o " + at("a.png"), 0);
+  valid_output("verify " + bundle, 0);
+  valid_output("info " + bundle, 0);
+}
+
+TEST_F(CommandLineJson, FailuresAreObjectsOfTheSchemaToo) {
+  EXPECT_THAT(valid_output("bake " + at("nothing.png"), 4)["error"], testing::HasSubstr("nothing.png"));
+  EXPECT_EQ(valid_output("bake --zoom 3", 2)["status"], "usage");
+  valid_output("convrt", 2);
+  const json verdict = valid_output("verify " + at("pebbles.png"), 1);
+  EXPECT_EQ(verdict["result"]["verdict"], "invalid");
+  EXPECT_FALSE(verdict["result"]["issues"].empty());
+}
+
+TEST_F(CommandLineJson, WarningsAreInTheObject) {
+  const json output = valid_output("convert " + at("leaves.png") + " -o " + at("b.texbundle"), 0);
+  EXPECT_THAT(output["warnings"].dump(), testing::HasSubstr("does not tile"));
+}
+
+TEST_F(CommandLineJson, RecipesFollowTheirSchema) {
+  const json output = valid_output("info " + at("a.texbundle") + " --recipe", 0);
+  EXPECT_EQ(faults("recipe.schema.json", output["result"]["recipe"]), "");
+  EXPECT_EQ(json::parse(run("info " + at("a.texbundle") + " --recipe")), output["result"]["recipe"]);
+}
+
+}  // namespace
+}  // namespace texbake

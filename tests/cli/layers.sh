@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Includes go down, never up or sideways; each third-party library appears in few, named sources.
+. "$(dirname "$0")/scratch.sh"
+cd "$SOURCE"
+bad=0
+complain() { echo "$*" >&2; bad=1; }
+
+# Which folders a folder may include from, besides itself: what its target links.
+declare -A below=(
+  [libbake/base]=""
+  [libbake/color]="libbake/base"
+  [libbake/segment]="libbake/base libbake/color"
+  [libbake/content]="libbake/base libbake/color libbake/segment"
+  [libbake/noise]="libbake/base libbake/color"
+  [libbake/height]="libbake/base libbake/color"
+  [libbake/quality]="libbake/base libbake/color"
+  [libbake/eval]="libbake/base libbake/color libbake/segment libbake/content shaders"
+  [libbake/gl]="libbake/base libbake/color libbake/segment libbake/content libbake/eval shaders"
+  [formats]="libbake"
+  [cli]="formats libbake"
+  [examples]="formats libbake"
+)
+while IFS=: read -r file include; do
+  folder=$(dirname "$file")
+  [[ $folder == examples/* ]] && folder=examples
+  [[ -v below[$folder] ]] || { complain "$folder is not in the list of layers"; continue; }
+  below_it=0
+  for prefix in "$folder" ${below[$folder]}; do [[ $include == "$prefix"/* ]] && below_it=1; done
+  [ $below_it -eq 1 ] || complain "$file includes $include, which is not below $folder"
+done < <(grep -rHoE '^#include "[^"]+"' --include=*.h --include=*.cpp libbake formats cli examples |
+  sed -E 's/#include "([^"]+)"/\1/')
+
+# only HEADER FILE...: the sources that may include it.
+only() {
+  local pattern=$1 file
+  shift
+  while read -r file; do
+    [[ " $* " == *" $file "* ]] || complain "$file includes <$pattern>; allowed: $*"
+  done < <(grep -rlE "#include <($pattern)" --include=*.h --include=*.cpp libbake formats cli examples)
+}
+only 'OpenImageIO/' formats/image_reader.cpp formats/image_writer.cpp
+only 'OpenEXR/' formats/exr_planes.cpp
+only 'openssl/' formats/sha256.cpp
+only 'opencv2/' libbake/base/fft.cpp
+only 'ceres/' libbake/noise/lobes.cpp
+only 'flann/' libbake/height/nearest_clicks.cpp libbake/quality/structure_distance.cpp
+only 'tbb/' libbake/base/parallel.h formats/exr_planes.cpp cli/limits.cpp
+only 'EGL/|GL/|GLES' libbake/gl/gl_functions.h libbake/gl/gl_context.cpp
+only 'CLI/' cli/command.h cli/convert_flags.h cli/global_options.h cli/option_flags.h
+only 'nlohmann/' formats/bundle.h formats/issues.h
+
+# libbake never prints, never touches files, never exits.
+while read -r line; do complain "$line: libbake must not"; done < <(
+  grep -rnE '\b(std::cout|std::cerr|fmt::print|std::exit|std::abort|printf|fprintf)\b|#include <(fstream|iostream|cstdio|filesystem)>' \
+    --include=*.h --include=*.cpp libbake)
+
+[ $bad -eq 0 ]
