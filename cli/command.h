@@ -32,6 +32,7 @@ struct Command {
 
 Command bake_command();
 Command convert_command();
+Command export_command();
 Command fragment_command();
 Command info_command();
 Command patch_command();

@@ -42,4 +42,8 @@ std::string reference_fragment_shader(ShaderLanguage language) {
   return reference_core(language) + concatenated({"reference.frag"});
 }
 
+std::string viewer_fragment_shader(ShaderLanguage language) {
+  return reference_core(language) + concatenated({"viewer.frag"});
+}
+
 }  // namespace texbake

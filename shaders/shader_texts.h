@@ -18,6 +18,9 @@ std::string_view shader_text(std::string_view name);
 std::string reference_vertex_shader(ShaderLanguage language);
 std::string reference_fragment_shader(ShaderLanguage language);
 
+/// The viewer's: reference_core with viewer.frag, drawn with reference_vertex_shader.
+std::string viewer_fragment_shader(ShaderLanguage language);
+
 /// Prologue, bindings and core, for another fragment shader's `main` to follow.
 std::string reference_core(ShaderLanguage language);
 

@@ -7,6 +7,9 @@ cd "$root" || exit
 
 cmake/install-packages.sh build test || echo "tests/run.sh: packages could not be installed; going on with what is there" >&2
 
+cmake/install-packages.sh browser || echo "tests/run.sh: no browser could be installed; its test will be skipped" >&2
+command -v npm >/dev/null || cmake/install-packages.sh node || echo "tests/run.sh: no npm could be installed" >&2
+
 compiler_cache=()
 command -v ccache >/dev/null && compiler_cache=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 

@@ -1,0 +1,147 @@
+// The infinite texture on WebGL 2: uploads what `texbake export --web` wrote and draws windows of it with the reference
+// shader. What a window, a position and a decision are is told in shaders/README.md.
+'use strict';
+
+class InfiniteTexture {
+  // `gl`: a WebGL2RenderingContext. `texture`: the object in texture.js. `shaders`: the texts in shaders.js.
+  constructor(gl, texture, shaders) {
+    if (texture.semantics !== shaders.semantics)
+      throw new Error(`expected semantics ${shaders.semantics}, found ${texture.semantics}: export the bundle again`);
+    this.gl = gl;
+    this.texture = texture;
+    this.size = texture.size;
+    this.viewer = this.link(shaders.vertex, shaders.viewer);
+    this.reference = this.link(shaders.vertex, shaders.reference);
+    this.planes = {};
+    for (const [name, plane] of Object.entries(texture.planes)) this.planes[name] = this.upload(plane);
+    gl.bindVertexArray(gl.createVertexArray());
+  }
+
+  // Draws the window into the canvas: origin {x, y} as BigInt in 1/256 texel, step in 1/256 texels to a pixel.
+  draw({origin, step_256, seed, show}) {
+    const gl = this.gl;
+    const samples = Math.max(1, Math.min(8, Math.floor(step_256 / 256)));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
+    const uniform = this.use(this.viewer, origin, seed);
+    gl.uniform1ui(uniform('step_256'), Math.max(1, Math.floor(step_256 / samples)));
+    gl.uniform1i(uniform('samples'), samples);
+    gl.uniform1i(uniform('height_px'), gl.drawingBufferHeight);
+    gl.uniform1i(uniform('show'), show);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  // What the reference shader decides and shows at points {tile: [x, y], offset_256: [x, y], seed}: for each the patch,
+  // the content, the source texel, and the linear colour with both filters.
+  evaluate(points) {
+    const gl = this.gl;
+    if (!gl.getExtension('EXT_color_buffer_float')) throw new Error('expected WebGL 2 with EXT_color_buffer_float');
+    const target = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+    [gl.RGBA32F, gl.RGBA32UI].forEach((format, i) => {
+      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+      gl.texStorage2D(gl.TEXTURE_2D, 1, format, 1, 1);
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D,
+                              gl.getParameter(gl.TEXTURE_BINDING_2D), 0);
+    });
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
+    gl.viewport(0, 0, 1, 1);
+    const results = points.map((point) => this.evaluatePoint(point));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.deleteFramebuffer(target);
+    return results;
+  }
+
+  evaluatePoint(point) {
+    const gl = this.gl;
+    const period = this.size.map((n) => BigInt(n) * 256n);
+    const origin = {
+      x: BigInt(point.tile[0]) * period[0] + BigInt(point.offset_256[0]),
+      y: BigInt(point.tile[1]) * period[1] + BigInt(point.offset_256[1]),
+    };
+    const value = [new Float32Array(4), new Float32Array(4)];
+    const decided = new Uint32Array(4);
+    for (const filter of [0, 1]) {
+      const uniform = this.use(this.reference, origin, point.seed);
+      gl.uniform1ui(uniform('step_256'), 1);
+      gl.uniform2i(uniform('first_row'), 0, 1);
+      gl.uniform1i(uniform('filter_kind'), filter);
+      gl.uniform1i(uniform('plane_kind'), 0);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      gl.readBuffer(gl.COLOR_ATTACHMENT0);
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, value[filter]);
+      gl.readBuffer(gl.COLOR_ATTACHMENT1);
+      gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, decided);
+    }
+    return {
+      patch: decided[0], content: decided[1], source: [decided[2], decided[3]],
+      nearest: Array.from(value[0].subarray(0, 3)), bilinear: Array.from(value[1].subarray(0, 3)),
+    };
+  }
+
+  // Binds a program, the planes and what every window has; returns how its other uniforms are found.
+  use(program, origin, seed) {
+    const gl = this.gl;
+    const uniform = (name) => gl.getUniformLocation(program, name);
+    gl.useProgram(program);
+    Object.entries(this.planes).forEach(([name, texture], unit) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.uniform1i(uniform(name), unit);
+    });
+    const [x, y] = [splitCoordinate(origin.x, this.size[0]), splitCoordinate(origin.y, this.size[1])];
+    gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
+    gl.uniform1ui(uniform('content_count'), this.texture.content_count);
+    gl.uniform1ui(uniform('seed'), seed);
+    gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
+    gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
+    return uniform;
+  }
+
+  link(vertexText, fragmentText) {
+    const gl = this.gl;
+    const program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, vertexText], [gl.FRAGMENT_SHADER, fragmentText]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    return program;
+  }
+
+  upload({format, width, height, data}) {
+    const gl = this.gl;
+    const kinds = {
+      RG16UI: [gl.RG_INTEGER, gl.UNSIGNED_SHORT, Uint16Array],
+      R32UI: [gl.RED_INTEGER, gl.UNSIGNED_INT, Uint32Array],
+      RGBA32I: [gl.RGBA_INTEGER, gl.INT, Int32Array],
+      RGBA16F: [gl.RGBA, gl.HALF_FLOAT, Uint16Array],
+      RGBA32F: [gl.RGBA, gl.FLOAT, Float32Array],
+    };
+    const limit = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    if (width > limit || height > limit)
+      throw new Error(`this device draws textures of up to ${limit} texels a side; the tile has ${width} x ${height}`);
+    const [layout, type, TexelArray] = kinds[format];
+    const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl[format], width, height, 0, layout, type, new TexelArray(bytes.buffer));
+    for (const [parameter, value] of [[gl.TEXTURE_MIN_FILTER, gl.NEAREST], [gl.TEXTURE_MAG_FILTER, gl.NEAREST],
+                                      [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE], [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]])
+      gl.texParameteri(gl.TEXTURE_2D, parameter, value);
+    return texture;
+  }
+}
+
+// A coordinate in 1/256 texel, any BigInt: the repetition of the tile modulo 2^32, and the place there.
+function splitCoordinate(coordinate, side) {
+  const period = BigInt(side) * 256n;
+  let offset = coordinate % period;
+  if (offset < 0n) offset += period;
+  return {tile: Number(BigInt.asUintN(32, (coordinate - offset) / period)), offset: Number(offset)};
+}

@@ -1,0 +1,122 @@
+#include "formats/web_export.h"
+
+#include <Imath/half.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "formats/bundle.h"
+#include "formats/safe_file.h"
+#include "libbake/base/error.h"
+#include "libbake/base/half.h"
+#include "shaders/shader_texts.h"
+
+namespace texbake {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::pair<std::string_view, std::string_view> kViewerFiles[] = {
+#include "formats/embedded_viewer.inc"
+};
+
+static_assert(std::endian::native == std::endian::little, "planes are written as they lie in memory");
+
+std::string base64(const void* data, size_t count) {
+  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  std::string text;
+  text.reserve((count + 2) / 3 * 4);
+  for (size_t i = 0; i < count; i += 3) {
+    const size_t left = std::min<size_t>(count - i, 3);
+    uint32_t group = static_cast<uint32_t>(bytes[i]) << 16;
+    if (left > 1) group |= static_cast<uint32_t>(bytes[i + 1]) << 8;
+    if (left > 2) group |= bytes[i + 2];
+    for (size_t digit = 0; digit < 4; ++digit) text += digit <= left ? kDigits[(group >> (18 - 6 * digit)) & 63] : '=';
+  }
+  return text;
+}
+
+template <class T>
+Json plane_json(const char* format, ImageView<const T> texels) {
+  return {{"format", format},
+          {"width", texels.width()},
+          {"height", texels.height()},
+          {"data", base64(texels.data(), texels.size() * sizeof(T))}};
+}
+
+Json base_json(const Plane& base) {
+  const auto* values = reinterpret_cast<const float*>(base.texels.data());
+  const size_t count = 4 * base.texels.size();
+  if (!std::all_of(values, values + count, [](float value) { return half_exact(value) == value; }))
+    return plane_json<glsl::vec4>("RGBA32F", base.texels);
+  struct HalfTexel {
+    uint16_t channels[4];
+  };
+  Image<HalfTexel> halves(base.texels.width(), base.texels.height());
+  for (size_t i = 0; i < count; ++i) halves.data()[i / 4].channels[i % 4] = Imath::half(values[i]).bits();
+  return plane_json<HalfTexel>("RGBA16F", halves);
+}
+
+std::string shaders_script() {
+  const auto language = ShaderLanguage::glsl_300_es;
+  const Json shaders = {{"semantics", kSemantics},
+                        {"vertex", reference_vertex_shader(language)},
+                        {"reference", reference_fragment_shader(language)},
+                        {"viewer", viewer_fragment_shader(language)}};
+  return "texbake.shaders = " + shaders.dump() + ";\n";
+}
+
+void check_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status)) return;
+  const auto refuse = [&](const std::string& found) {
+    throw Error(ErrorKind::io,
+                fmt::format("{}: expected a new folder or one that an earlier export made, found {}: give "
+                            "another -o",
+                            folder.string(), found));
+  };
+  if (!fs::is_directory(status)) refuse("a file");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours =
+        std::any_of(std::begin(kWebFiles), std::end(kWebFiles), [&](const char* file) { return name == file; });
+    if (!ours && !is_temporary_name(name)) refuse(fmt::format("\"{}\" in it", name));
+  }
+}
+
+}  // namespace
+
+std::string web_texture_script(const EvaluatorPlanes& planes) {
+  Json texture = {{"semantics", kSemantics},
+                  {"size", {planes.size.x, planes.size.y}},
+                  {"patch_count", planes.patch_count},
+                  {"content_count", planes.content_count}};
+  Json& json = texture["planes"];
+  json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
+  json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
+  json["centers"] = plane_json<glsl::ivec4>("RGBA32I", planes.centers);
+  json["base"] = base_json(planes.base);
+  if (!planes.fragment_idx.empty()) json["fragments"] = plane_json<uint32_t>("R32UI", planes.fragment_idx);
+  return "texbake.open(" + texture.dump() + ");\n";
+}
+
+void export_web(const EvaluatorPlanes& planes, const fs::path& folder) {
+  check_folder(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Error(ErrorKind::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+  const auto write = [&](std::string_view name, std::string_view text) {
+    SafeFile file(folder / name);
+    file.write(text);
+    file.commit();
+  };
+  write("texture.js", web_texture_script(planes));
+  write("shaders.js", shaders_script());
+  for (const auto& [name, text] : kViewerFiles) write(name, text);
+}
+
+}  // namespace texbake

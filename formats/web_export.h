@@ -1,0 +1,26 @@
+// Writes a self-contained folder that shows a bundle as an endless plane in a browser: no server, no network.
+#pragma once
+
+#include <filesystem>
+
+#include "libbake/eval/prepare.h"
+
+namespace texbake {
+
+/// The files of the folder; index.html is what a person opens. Browsers let a page opened from a disk read scripts and
+/// nothing else, so the planes travel as base64 in texture.js beside their sizes and formats:
+///   texbake.open({"semantics": 1, "size": [W, H], "patch_count": P, "content_count": N_t,
+///                 "planes": {"patch_plane": {"format": "RG16UI", "width": W, "height": H, "data": "…"}, …}})
+/// with the planes and formats of shaders/README.md §2, little-endian, rows from the top; `fragments` (R32UI, the idx
+/// of each texel) where there are any; `base` is RGBA16F where that is exact, else RGBA32F.
+inline constexpr const char* kWebFiles[] = {"index.html", "infinite_texture.js", "viewer.js", "shaders.js",
+                                            "texture.js"};
+
+/// Makes `folder`, or replaces those files in one that an earlier export made. Throws Error(io) when the folder holds
+/// other things, or cannot be written; then nothing of an earlier export is lost.
+void export_web(const EvaluatorPlanes& planes, const std::filesystem::path& folder);
+
+/// texture.js alone.
+std::string web_texture_script(const EvaluatorPlanes& planes);
+
+}  // namespace texbake

@@ -1,0 +1,47 @@
+// Draws a window of the infinite texture for the eye: sRGB for a screen, or how the texture is put together. What it
+// shows is decided by the reference; only the last step, averaging and encoding, is its own.
+uniform uvec2 origin_tile;     // as in reference.frag
+uniform ivec2 origin_offset;
+uniform uint step_256;         // 1/256 texels from one sample to the next
+uniform int samples;           // samples to a pixel on each axis: their mean keeps a distant view from flickering
+uniform int height_px;         // of the window: row 0 is its top
+uniform int show;              // 0 colour, 1 patches, 2 fragments, 3 contents
+uniform usampler2D fragments;  // R32UI, W x H: fragment idx of each texel
+
+out vec4 screen;
+
+vec3 srgb_from_linear(vec3 light) {
+  vec3 clamped = clamp(light, 0.0, 1.0);
+  return mix(clamped * 12.92, pow(clamped, vec3(1.0 / 2.4)) * 1.055 - 0.055, step(vec3(0.0031308), clamped));
+}
+
+// A colour that tells one number from the next.
+vec3 color_of(uint number) {
+  uint bits = pcg(number);
+  return vec3(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u)) / 255.0 * 0.8 + 0.1;
+}
+
+vec3 sample_color(Position at) {
+  if (show == 0 && step_256 < 256u) return footprint_value(base, footprint_at(at)).rgb;
+  Texel texel = texel_at(at);
+  Decision decision = decide(texel);
+  Source source = source_of(texel, decision);
+  if (show == 1) return color_of(uint(decision.patch_idx));
+  if (show == 2) return color_of(texelFetch(fragments, source.nearest, 0).x);
+  if (show == 3) return color_of(uint(decision.content));
+  return source_value(base, source).rgb;
+}
+
+void main() {
+  uvec2 pixel = uvec2(uint(gl_FragCoord.x), uint(height_px - 1) - uint(gl_FragCoord.y));
+  Position origin;
+  origin.tile = origin_tile;
+  origin.offset = origin_offset;
+  vec3 sum = vec3(0.0);
+  for (int j = 0; j < samples; ++j)
+    for (int i = 0; i < samples; ++i) {
+      uvec2 place = pixel * uint(samples) + uvec2(uint(i), uint(j));
+      sum += sample_color(pixel_position(origin, step_256, place));
+    }
+  screen = vec4(srgb_from_linear(sum / float(samples * samples)), 1.0);
+}

@@ -1,0 +1,16 @@
+// usage: write_golden_page NAME FOLDER: exports the golden tile NAME as `texbake export --web` exports a bundle.
+#include <cstdio>
+
+#include "formats/web_export.h"
+#include "tests/golden/golden.h"
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  try {
+    texbake::export_web(texbake::read_golden(argv[1]).planes, argv[2]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "write_golden_page: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
