@@ -35,6 +35,7 @@ void write_bundle(const Bundle& bundle, const std::filesystem::path& path, const
 struct LoadedBundle {
   Json manifest;
   std::vector<PlaneRefs> refs;
+  std::vector<V2i> sizes;
   Bundle bundle;
   std::vector<std::set<std::string>> planes;  ///< for each scale, the keys of the planes that were read
   bool is_whole(size_t scale) const { return !refs[scale].empty() && planes[scale].size() == refs[scale].size(); }

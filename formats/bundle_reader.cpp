@@ -163,10 +163,12 @@ ShapeTable shapes_of(const Partition& partition) {
 void compare_patches(const Partition& stored, const ShapeTable& found, const std::string& pointer, IssueLog& log) {
   for (size_t i = 0; i < found.centers.size(); ++i) {
     const std::string at = fmt::format("{}/patches/{}", pointer, i);
-    if (found.areas_px[i] != stored.areas_px[i])
-      log.add({found.areas_px[i] == 0 ? IssueId::shape_empty : IssueId::shape_area,
+    if (found.areas_px[i] == 0)
+      log.add({IssueId::shape_empty, {.pointer = at}, "expected texels of the patch, found none"});
+    else if (found.areas_px[i] != stored.areas_px[i])
+      log.add({IssueId::shape_area,
                {.pointer = at + "/areaPx"},
-               fmt::format("expected {} texels, found {}", stored.areas_px[i], found.areas_px[i])});
+               fmt::format("expected {}, the texels of the patch, found {}", found.areas_px[i], stored.areas_px[i])});
     else if (found.centers[i] != stored.centers[i])
       log.add({IssueId::shape_center,
                {.pointer = at + "/center"},
@@ -222,15 +224,16 @@ void read_scale(const std::filesystem::path& path, Manifest& manifest, size_t i,
   if (refs.empty()) return;
   const ExrReader reader(path / refs[0].file, log);
   if (!reader.is_open()) return;
+  const std::vector<std::vector<const PlaneRef*>> groups = grouped(refs);
   std::set<std::string> readable;
-  for (const PlaneRef& ref : refs)
-    if (reader.holds(ref.shape, log)) readable.insert(ref.key);
+  for (const auto& group : groups)
+    if (reader.holds(group[0]->shape, log)) readable.insert(group[0]->key);
 
   // Only now is memory taken: the file has shown that it can hold what the manifest says.
   Scale& scale = manifest.bundle.scales[i];
   allocate_planes(scale, manifest.sizes[i], manifest.fragment_counts[i], readable);
   const std::vector<ScalePlane> planes = planes_of(scale);
-  for (const std::vector<const PlaneRef*>& group : grouped(refs)) {
+  for (const auto& group : groups) {
     const auto plane = std::ranges::find(planes, group[0]->key, &ScalePlane::key);
     if (!readable.contains(group[0]->key) || plane == planes.end()) continue;
     if (read_plane(reader, *plane, group, log))
@@ -252,6 +255,7 @@ LoadedBundle load_bundle(const std::filesystem::path& path, const ReadOptions& o
   loaded.planes.resize(manifest.refs.size());
   for (size_t i = 0; i < manifest.refs.size(); ++i) read_scale(path, manifest, i, loaded.planes[i], log);
   loaded.refs = std::move(manifest.refs);
+  loaded.sizes = std::move(manifest.sizes);
   loaded.bundle = std::move(manifest.bundle);
   return loaded;
 }

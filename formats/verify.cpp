@@ -26,7 +26,7 @@ void warn_stray_files(const fs::path& path, const LoadedBundle& loaded, IssueLog
 
 void check_scale_order(const Bundle& bundle, const Json& scales, IssueLog& log) {
   for (size_t i = 1; i < bundle.scales.size(); ++i)
-    if (scales[i]["size"][0].get<int>() < scales[i - 1]["size"][0].get<int>())
+    if (scales[i]["size"][0] < scales[i - 1]["size"][0])
       log.add({IssueId::scale_order,
                {.pointer = fmt::format("/scales/{}/size", i)},
                fmt::format("expected a width of at least {}, that of the coarser scale before, found {}",
@@ -36,7 +36,8 @@ void check_scale_order(const Bundle& bundle, const Json& scales, IssueLog& log) 
 void check_scale(const LoadedBundle& loaded, size_t i, IssueLog& log) {
   if (loaded.refs[i].empty()) return;
   const Scale& scale = loaded.bundle.scales[i];
-  const ScaleUnderTest test{scale, fmt::format("/scales/{}", i), loaded.refs[i][0].file, loaded.planes[i]};
+  const ScaleUnderTest test{scale, loaded.sizes[i], fmt::format("/scales/{}", i), loaded.refs[i][0].file,
+                            loaded.planes[i]};
   if (scale.colors && test.has("index")) check_palette(test, log);
   const Json& mean = loaded.manifest["scales"][i]["mean"];
   if (loaded.is_whole(i)) check_means(test, V3f(mean[0].get<float>(), mean[1].get<float>(), mean[2].get<float>()), log);

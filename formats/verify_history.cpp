@@ -12,6 +12,7 @@ namespace {
 /// The figures of a stage that follow from what the bundle holds, by the names the verbs record them under.
 Json countable_figures(const std::string& verb, const Scale& scale) {
   const auto areas = [](const Partition& partition) -> Json {
+    if (partition.areas_px.empty()) return Json::object();  // could not be read
     const auto [least, most] = std::ranges::minmax(partition.areas_px);
     return {{"count", partition.count()}, {"minArea", least}, {"maxArea", most}};
   };

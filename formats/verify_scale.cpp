@@ -60,7 +60,13 @@ void check_partition_of(const ScaleUnderTest& test, const char* part, const Part
     else
       at->second.count += fault.count;
   }
-  for (const auto& [id, issue] : found) log.add(issue);
+  // A centre, an area or a name without texels in the manifest's list of patches has been reported there.
+  const std::string listed = test.pointer + "/patches";
+  for (const auto& [id, issue] : found)
+    if (part != std::string("patch") || !std::ranges::any_of(log.issues(), [&, same = id](const Issue& before) {
+          return before.id == same && before.where.pointer.starts_with(listed);
+        }))
+      log.add(issue);
 }
 
 /// The mean of the base over each fragment, summed in row order.
@@ -81,7 +87,7 @@ void check_fragment_colors(const ScaleUnderTest& test, IssueLog& log) {
     if (is_close(fragments[i].mean_color, means[i]) || issue.count++ > 0) continue;
     issue.detail =
         fmt::format("expected {} for fragment {}, found {}", shown(means[i]), i, shown(fragments[i].mean_color));
-    const auto width = static_cast<size_t>(test.scale.width());
+    const auto width = static_cast<size_t>(test.size.x);
     issue.where.texel = V2i(static_cast<int>(i % width), static_cast<int>(i / width));
   }
   if (issue.count > 0) log.add(issue);
@@ -123,7 +129,7 @@ void check_content(const Content& content, V2i size, const std::string& pointer,
   if (std::abs(content.a - a) > kMatrixTolerance || std::abs(content.b - b) > kMatrixTolerance)
     log.add({IssueId::content_matrix,
              {.pointer = pointer + "/matrix"},
-             fmt::format("expected [{:.0f}, {:.0f}], found [{}, {}]", a, b, content.a, content.b)});
+             fmt::format("expected [{}, {}], found [{}, {}]", std::lround(a), std::lround(b), content.a, content.b)});
 }
 
 void check_repeated(const ContentTable& table, int patch, const std::string& pointer, IssueLog& log) {
@@ -188,7 +194,7 @@ void check_contents(const ScaleUnderTest& test, IssueLog& log) {
         log.add({IssueId::content_identity,
                  {.pointer = pointer},
                  "expected translation [0, 0], rotationEighths 0, scale 1, matrix [65536, 0] and impact 0"});
-      check_content(table.at(p, c), test.scale.size(), pointer, log);
+      check_content(table.at(p, c), test.size, pointer, log);
     }
     check_repeated(table, p, test.pointer, log);
   }

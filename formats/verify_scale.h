@@ -12,6 +12,7 @@ namespace texbake {
 /// A scale and the names by which its issues point at it.
 struct ScaleUnderTest {
   const Scale& scale;
+  V2i size;                             ///< by the manifest: there are no pixels where they could not be read
   std::string pointer;                  ///< "/scales/0"
   std::string file;                     ///< payload
   const std::set<std::string>& planes;  ///< keys of those that were read and are what the manifest says

@@ -23,7 +23,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     static int count = 0;
-    path_ = std::filesystem::path(testing::TempDir()) /
+    const bool has_memory = std::filesystem::is_directory("/dev/shm");  // thousands of synchronised files, at once
+    path_ = std::filesystem::path(has_memory ? "/dev/shm" : testing::TempDir()) /
             ("texbake-bundle-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
