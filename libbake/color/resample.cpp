@@ -70,11 +70,11 @@ Image<T> resample_image(ImageView<const T> image, int width, int height, Borders
 
   Image<T> result(width, height);
   const std::vector<Taps> rows = taps_of_side(image.height(), height, borders.y);
-  const auto [low, high] = channel_range(image);
+  const std::pair<T, T> range = channel_range(image);
   parallel_for(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {
       const T value = height == image.height() ? wide(x, y) : weighted(wide.data() + x, rows[y], width);
-      result(x, y) = clamp_channels(value, low, high);
+      result(x, y) = clamp_channels(value, range.first, range.second);
     }
   });
   return result;

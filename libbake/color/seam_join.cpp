@@ -85,14 +85,14 @@ Image<T> join(ImageView<const T> image, const Seam& seam) {
   assert(seam.overlap >= 2 && seam.overlap <= seam.period && image.height() == static_cast<int>(seam.column.size()));
   const Image<T> mismatch = smooth_mismatch(image, seam);
   const Image<float> weights = level_weights(seam);
-  const auto [low, high] = channel_range(image);
+  const std::pair<T, T> range = channel_range(image);
   Image<T> joined(seam.period, image.height());
   parallel_for(0, image.height(), [&](int y) {
     for (int x = 0; x < seam.period; ++x)
       joined(x, y) = image(seam.begin + x + (x < seam.column[y] ? seam.period : 0), y);
     for (int x = 0; x < seam.overlap; ++x)
       if (weights(x, y) != 0)
-        joined(x, y) = clamp_channels(T(joined(x, y) + mismatch(x, y) * weights(x, y)), low, high);
+        joined(x, y) = clamp_channels(T(joined(x, y) + mismatch(x, y) * weights(x, y)), range.first, range.second);
   });
   return joined;
 }
