@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A bundle killed at any moment while it is written is the old one or the new one, and the next writer cleans up.
 . "$(dirname "$0")/scratch.sh"
-texbake patch good.texbundle --count 4 -o old.texbundle
+texbake patch good.texbundle --count 7 -o old.texbundle
 texbake fragment good.texbundle -o new.texbundle --threshold 30
 old=$(sha256sum < old.texbundle/bundle.json)
 new=$(sha256sum < new.texbundle/bundle.json)

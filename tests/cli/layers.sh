@@ -16,7 +16,7 @@ declare -A below=(
   [libbake/quality]="libbake/base libbake/color"
   [libbake/eval]="libbake/base libbake/color libbake/segment libbake/content shaders"
   [libbake/gl]="libbake/base libbake/color libbake/segment libbake/content libbake/eval shaders"
-  [formats]="libbake"
+  [formats]="libbake shaders"
   [cli]="formats libbake"
   [examples]="formats libbake"
 )
