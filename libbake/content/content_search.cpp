@@ -39,12 +39,12 @@ Candidates take_separated(Candidates found, V2i size, const SearchRequest& reque
 
 SearchResult search_contents(ImageView<const uint8_t> classes, const ClassDistances& distances,
                              const PatchBorders& borders, const SearchRequest& request, const Progress& progress) {
-  // All groups of translations, scattered over the torus.
+  // All groups of translations, column by column: those of a batch lie below each other.
   const int groups_x = (classes.width() + kGroupWidth - 1) / kGroupWidth;
   const int groups_y = (classes.height() + kGroupRows - 1) / kGroupRows;
   std::vector<GroupTask> tasks;
-  for (const int g : scattered(groups_x * groups_y))
-    tasks.push_back({{g % groups_x * kGroupWidth, g / groups_x * kGroupRows}, {}});
+  for (const int g : scattered_batches(groups_x * groups_y))
+    tasks.push_back({{g / groups_y * kGroupWidth, g % groups_y * kGroupRows}, {}});
 
   SearchResult result = GroupSearch(classes, distances, borders).run(tasks, request, progress);
   const size_t texels = std::accumulate(borders.texel_counts.begin(), borders.texel_counts.end(), size_t{0});

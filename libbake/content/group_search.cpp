@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "libbake/base/parallel.h"
 
@@ -9,6 +10,7 @@ namespace texbake {
 namespace {
 
 constexpr int64_t kNoLimit = kExcluded - 1;
+constexpr int kWiderAttempts = 3;        // with limits half as wide again each; after them there are none
 constexpr size_t kFirstRoundShare = 64;  // the first round, which knows no limits yet, takes 1/64 of the tasks
 
 // One search: rounds of tasks, each as long as all before it, with limits learnt from what the earlier rounds found.
@@ -25,11 +27,11 @@ class Rounds {
         limits_(static_cast<size_t>(patch_count), kNoLimit),
         found_(static_cast<size_t>(patch_count)) {}
 
-  void run(const std::vector<GroupTask>& tasks, const Progress& progress) {
+  void run(std::span<const GroupTask> tasks, const Progress& progress) {
+    const size_t first = (tasks.size() / kFirstRoundShare / kBatch + 1) * kBatch;
     for (size_t begin = 0; begin < tasks.size();) {
-      const size_t first = tasks.size() / kFirstRoundShare + 1;
       const size_t end = std::min(tasks.size(), std::max(first, 2 * begin));
-      run_round(tasks, begin, end);
+      run_round(tasks.subspan(begin, end - begin));
       learn_limits();
       begin = end;
       report(progress, static_cast<double>(begin) / static_cast<double>(tasks.size()));
@@ -45,7 +47,7 @@ class Rounds {
       if (!open_[patch]) continue;
       any = true;
       found_[patch].clear();
-      limits_[patch] = attempts_ < 3 ? limits_[patch] + limits_[patch] / 2 + 1 : kNoLimit;
+      limits_[patch] = attempts_ < kWiderAttempts ? limits_[patch] + limits_[patch] / 2 + 1 : kNoLimit;
     }
     ++attempts_;
     return any;
@@ -59,15 +61,19 @@ class Rounds {
   }
 
  private:
-  void run_round(const std::vector<GroupTask>& tasks, size_t begin, size_t end) {
-    std::vector<std::vector<Candidates>> found(end - begin);
-    std::vector<uint64_t> error_counts(end - begin);
-    parallel_for(0, static_cast<int>(end - begin), [&](int i) {
-      const auto at = static_cast<size_t>(i);
-      GroupSums group = start(tasks[begin + at]);
-      add_group_errors(program_, order_, field_, tasks[begin + at].translation, limits_, group);
-      found[at] = survivors(tasks[begin + at], group);
-      error_counts[at] = group.error_count;
+  void run_round(std::span<const GroupTask> tasks) {
+    std::vector<std::vector<Candidates>> found(tasks.size());
+    std::vector<uint64_t> error_counts(tasks.size());
+    parallel_for(0, static_cast<int>((tasks.size() + kBatch - 1) / kBatch), [&](int batch) {
+      const size_t begin = static_cast<size_t>(batch) * kBatch;
+      const size_t end = std::min(begin + kBatch, tasks.size());
+      std::vector<GroupSums> groups;
+      for (size_t i = begin; i < end; ++i) groups.push_back(start(tasks[i]));
+      add_group_errors(program_, order_, field_, limits_, groups);
+      for (size_t i = begin; i < end; ++i) {
+        found[i] = survivors(groups[i - begin]);
+        error_counts[i] = groups[i - begin].error_count;
+      }
     });
     for (size_t i = 0; i < found.size(); ++i) {
       error_count_ += error_counts[i];
@@ -76,30 +82,30 @@ class Rounds {
     }
   }
 
-  static V2i translation(const GroupTask& task, int lane) {
-    return task.translation + V2i(lane % kGroupWidth, lane / kGroupWidth);
-  }
+  static V2i translation(V2i first, int lane) { return first + V2i(lane % kGroupWidth, lane / kGroupWidth); }
 
   // Translations beyond the borders, which only fill the lanes, and those near the identity take no part.
   GroupSums start(const GroupTask& task) const {
     GroupSums group;
+    group.translation = task.translation;
     group.alive = open_;
     for (size_t patch = 0; patch < task.wanted.size(); ++patch) group.alive[patch] &= task.wanted[patch];
     for (size_t patch = 0; patch < open_.size(); ++patch)
       for (int lane = 0; lane < kGroupSize; ++lane) {
-        const V2i t = translation(task, lane);
+        const V2i t = translation(task.translation, lane);
         const bool allowed = t.x < size_.x && t.y < size_.y && far_enough(t, {0, 0}, size_, request_.separation_px);
         group.sums.push_back(allowed ? 0 : kExcluded);
       }
     return group;
   }
 
-  std::vector<Candidates> survivors(const GroupTask& task, const GroupSums& group) const {
+  std::vector<Candidates> survivors(const GroupSums& group) const {
     std::vector<Candidates> found(open_.size());
     for (size_t patch = 0; patch < open_.size(); ++patch)
       for (int lane = 0; group.alive[patch] && lane < kGroupSize; ++lane) {
         const int64_t sum = group.sums[patch * kGroupSize + static_cast<size_t>(lane)];
-        if (sum <= limits_[patch]) found[patch].push_back({translation(task, lane), static_cast<uint64_t>(sum)});
+        if (sum <= limits_[patch])
+          found[patch].push_back({translation(group.translation, lane), static_cast<uint64_t>(sum)});
       }
     return found;
   }
@@ -107,6 +113,7 @@ class Rounds {
   // A limit is the sum of the last candidate among those found so far. Of many a few more are required than asked for,
   // since a better translation found later may stand in the way of two.
   void learn_limits() {
+    if (attempts_ > 0) return;  // what is learnt from the same tasks would be too narrow again
     SearchRequest wider = request_;
     wider.count += request_.count / 16;
     parallel_for(0, static_cast<int>(open_.size()), [&](int i) {
@@ -160,12 +167,16 @@ SearchResult GroupSearch::run(const std::vector<GroupTask>& tasks, const SearchR
   return rounds.result();
 }
 
-std::vector<int> scattered(int count) {
-  if (count <= 0) return {};
-  int64_t step = static_cast<int64_t>(count * 0.6180339887498949);
-  while (std::gcd(step, int64_t{count}) != 1) ++step;
+std::vector<int> scattered_batches(int count) {
+  const int64_t batches = (count + kBatch - 1) / kBatch;
+  if (batches == 0) return {};
+  auto step = static_cast<int64_t>(static_cast<double>(batches) * 0.6180339887498949);
+  while (std::gcd(step, batches) != 1) ++step;
   std::vector<int> order;
-  for (int64_t i = 0; i < count; ++i) order.push_back(static_cast<int>(i * step % count));
+  for (int64_t i = 0; i < batches; ++i) {
+    const auto begin = static_cast<int>(i * step % batches) * kBatch;
+    for (int j = begin; j < std::min(begin + kBatch, count); ++j) order.push_back(j);
+  }
   return order;
 }
 

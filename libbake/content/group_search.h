@@ -19,8 +19,9 @@ class GroupSearch {
  public:
   GroupSearch(ImageView<const uint8_t> classes, const ClassDistances& distances, const PatchBorders& borders);
 
-  /// take_separated of all translations of `tasks`, for each patch. The tasks should come in an order that scatters
-  /// them: the search learns its limits from the first ones.
+  /// take_separated of all translations of `tasks`, for each patch. The search learns its limits from the first tasks,
+  /// so they should be spread over the tile; kBatch tasks that follow each other are searched together, so they should
+  /// be near each other.
   SearchResult run(const std::vector<GroupTask>& tasks, const SearchRequest& request, const Progress& progress) const;
 
  private:
@@ -31,7 +32,9 @@ class GroupSearch {
   std::vector<uint32_t> order_;
 };
 
-/// Steps through 0 … count−1 so that any stretch of the result is spread over the whole: by a golden section.
-std::vector<int> scattered(int count);
+inline constexpr int kBatch = 4;
+
+/// 0 … count−1 with any stretch of batches spread over the whole, by steps of a golden section, and order kept in each.
+std::vector<int> scattered_batches(int count);
 
 }  // namespace texbake

@@ -376,26 +376,44 @@ size_t most_sums(const BorderProgram& program) {
   return most;
 }
 
+// Adds the sums of a chunk to those of the patches that are alive.
+HWY_ATTR void add_chunk_sums(const Chunk& chunk, const uint32_t* chunk_sums, const std::vector<int64_t>& limits,
+                             GroupSums& group) {
+  for (size_t s = 0; s < chunk.sums.size(); ++s)
+    for (const uint32_t patch : chunk.sums[s].patches)
+      if (group.alive[patch])
+        group.alive[patch] =
+            add_sums(chunk_sums + s * kGroupSize, limits[patch], group.sums.data() + patch * kGroupSize);
+}
+
 HWY_ATTR void AddGroupErrors(const BorderProgram& program, const std::vector<uint32_t>& order,
-                             const DistanceField& field, V2i t, const std::vector<int64_t>& limits, GroupSums& group) {
+                             const DistanceField& field, const std::vector<int64_t>& limits,
+                             std::span<GroupSums> groups) {
   const auto lanes = lane_order();
-  std::vector<int64_t> sums(group.sums.size());
-  for (size_t i = 0; i < sums.size(); ++i) sums[i] = group.sums[i - i % kGroupSize + lanes[i % kGroupSize]];
+  const auto lane_of = [&](size_t place) { return place - place % kGroupSize + lanes[place % kGroupSize]; };
+  for (GroupSums& group : groups) {
+    std::vector<int64_t> shuffled(group.sums.size());
+    for (size_t i = 0; i < shuffled.size(); ++i) shuffled[i] = group.sums[lane_of(i)];
+    group.sums = std::move(shuffled);
+  }
 
   std::vector<uint32_t> chunk_sums(kGroupSize * most_sums(program));
   ChunkRunner runner(field, chunk_sums.data());
   for (const uint32_t c : order) {
     const Chunk& chunk = program[c];
-    if (!any_alive(chunk, group.alive)) continue;
-    runner.run(chunk, t);
-    group.error_count += static_cast<uint64_t>(chunk.texel_count) * kGroupSize;
-    for (size_t s = 0; s < chunk.sums.size(); ++s)
-      for (const uint32_t patch : chunk.sums[s].patches)
-        if (group.alive[patch])
-          group.alive[patch] =
-              add_sums(chunk_sums.data() + s * kGroupSize, limits[patch], sums.data() + patch * kGroupSize);
+    for (GroupSums& group : groups) {
+      if (!any_alive(chunk, group.alive)) continue;
+      runner.run(chunk, group.translation);
+      group.error_count += static_cast<uint64_t>(chunk.texel_count) * kGroupSize;
+      add_chunk_sums(chunk, chunk_sums.data(), limits, group);
+    }
   }
-  for (size_t i = 0; i < sums.size(); ++i) group.sums[i - i % kGroupSize + lanes[i % kGroupSize]] = sums[i];
+
+  for (GroupSums& group : groups) {
+    std::vector<int64_t> in_order(group.sums.size());
+    for (size_t i = 0; i < in_order.size(); ++i) in_order[lane_of(i)] = group.sums[i];
+    group.sums = std::move(in_order);
+  }
 }
 
 }  // namespace
@@ -433,8 +451,8 @@ DistanceField::DistanceField(ImageView<const uint8_t> classes, const ClassDistan
 }
 
 void add_group_errors(const BorderProgram& program, const std::vector<uint32_t>& order, const DistanceField& field,
-                      V2i t, const std::vector<int64_t>& limits, GroupSums& group) {
-  HWY_DYNAMIC_DISPATCH(AddGroupErrors)(program, order, field, t, limits, group);
+                      const std::vector<int64_t>& limits, std::span<GroupSums> groups) {
+  HWY_DYNAMIC_DISPATCH(AddGroupErrors)(program, order, field, limits, groups);
 }
 
 }  // namespace texbake

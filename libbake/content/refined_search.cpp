@@ -9,6 +9,8 @@
 namespace texbake {
 namespace {
 
+constexpr int kFinerSeparation = 4;
+
 // Each block's most frequent value; blocks at the right and lower border may be cut short.
 template <class T>
 Image<T> reduce(ImageView<const T> image, int factor) {
@@ -26,6 +28,12 @@ Image<T> reduce(ImageView<const T> image, int factor) {
   return reduced;
 }
 
+// How many of the candidates found at reduced size are far enough apart at full size.
+int reachable_count(Candidates reduced, int factor, V2i size, const SearchRequest& request) {
+  for (Candidate& candidate : reduced) candidate.translation *= factor;
+  return static_cast<int>(take_separated(std::move(reduced), size, request).size());
+}
+
 // The groups of full-size translations that cover the neighbourhoods of reduced ones, and the patches that want them.
 std::vector<GroupTask> neighbourhoods(const std::vector<Candidates>& reduced, int factor, V2i size) {
   std::map<std::pair<int, int>, std::vector<uint8_t>> wanted;
@@ -34,15 +42,15 @@ std::vector<GroupTask> neighbourhoods(const std::vector<Candidates>& reduced, in
       for (int y = (candidate.translation.y - 1) * factor + 1; y < (candidate.translation.y + 1) * factor; ++y)
         for (const int x : {(candidate.translation.x - 1) * factor + 1, (candidate.translation.x + 1) * factor - 1}) {
           const V2i t = wrap(V2i(x, y), size);
-          auto& patches = wanted[{t.y / kGroupRows, t.x / kGroupWidth}];
+          auto& patches = wanted[{t.x / kGroupWidth, t.y / kGroupRows}];
           patches.resize(reduced.size(), 0);
           patches[patch] = 1;
         }
   std::vector<std::pair<V2i, const std::vector<uint8_t>*>> groups;
   for (const auto& [group, patches] : wanted)
-    groups.emplace_back(V2i(group.second * kGroupWidth, group.first * kGroupRows), &patches);
+    groups.emplace_back(V2i(group.first * kGroupWidth, group.second * kGroupRows), &patches);
   std::vector<GroupTask> tasks;
-  for (const int g : scattered(static_cast<int>(groups.size())))
+  for (const int g : scattered_batches(static_cast<int>(groups.size())))
     tasks.push_back({groups[static_cast<size_t>(g)].first, *groups[static_cast<size_t>(g)].second});
   return tasks;
 }
@@ -57,17 +65,21 @@ SearchResult search_contents_refined(ImageView<const uint8_t> classes, const Cla
   while (std::max(classes.width(), classes.height()) > kExactSide * factor) factor *= 2;
   if (factor == 1) return search_contents(classes, distances, borders, request, progress);
 
-  // Search the reduced tile. Neighbouring translations are allowed there: each stands for factor² of them.
+  // Search the reduced tile. A finer separation there lets the best region of the full search move between candidates.
   const Image<uint8_t> small_classes = reduce(classes, factor);
   const Image<uint32_t> small_patches = reduce(patch_idx, factor);
-  const SearchRequest small_request{std::max(kRefinedNeighbourhoods, request.count), 1};
+  const SearchRequest small_request{std::max(kRefinedNeighbourhoods, request.count),
+                                    std::max(request.separation_px / (kFinerSeparation * factor), 1)};
   const SearchResult small = search_contents(small_classes, distances, patch_borders(small_patches, patch_count),
                                              small_request, [&](double done) { report(progress, 0.5 * done); });
 
   // Rank what lies around the best again, exactly.
   const V2i size(classes.width(), classes.height());
+  SearchRequest reachable = request;
+  for (const Candidates& candidates : small.candidates)
+    reachable.count = std::min(reachable.count, reachable_count(candidates, factor, size, request));
   SearchResult result = GroupSearch(classes, distances, borders)
-                            .run(neighbourhoods(small.candidates, factor, size), request,
+                            .run(neighbourhoods(small.candidates, factor, size), reachable,
                                  [&](double done) { report(progress, 0.5 + 0.5 * done); });
   result.error_count += small.error_count;
   result.all_error_count = 0;
