@@ -1,6 +1,9 @@
 #include "cli/evaluator_input.h"
 
 namespace texbake {
+
+static_assert(kShaderSemantics == kSemantics, "a bundle means what the shader's number says: raise both");
+
 namespace {
 
 template <class T>

@@ -1,13 +1,13 @@
 // texbake render: bundle → picture of a window of the infinite texture.
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "cli/bundle_path.h"
 #include "cli/command.h"
 #include "cli/evaluator_input.h"
+#include "cli/gl_backend.h"
 #include "cli/option_flags.h"
-#include "cli/suggestion.h"
+#include "cli/window_options.h"
 #include "formats/bundle_io.h"
 #include "formats/image_writer.h"
 #include "libbake/eval/show.h"
@@ -17,10 +17,6 @@ namespace {
 
 struct RenderOptions {
   std::string size = "1024x1024";
-  std::string origin = "0,0";
-  double step_texels = 1;
-  uint32_t seed = 0;
-  Filter filter = Filter::bilinear;
   Show show = Show::color;
   std::optional<SampleType> bits;
 
@@ -28,20 +24,6 @@ struct RenderOptions {
   static void fields(Self& self, Visitor&& visit) {
     visit(self.size,
           Field{.name = "size", .unit = "WIDTHxHEIGHT", .help = "of the picture in pixels; one number makes a square"});
-    visit(self.origin, Field{.name = "origin",
-                             .unit = "X,Y",
-                             .help = "of its upper left corner in texels; may be negative, far, decimal"});
-    visit(self.step_texels, Field{.name = "step",
-                                  .unit = "texels",
-                                  .min = 0.00390625,
-                                  .max = 65536,
-                                  .help = "texels from one pixel to the next, in steps of 1/256"});
-    visit(self.seed, Field{.name = "seed",
-                           .min = 0,
-                           .max = 4294967295.0,
-                           .help = "another one gives another texture "
-                                   "of the same bundle"});
-    visit(self.filter, Field{.name = "filter", .help = "how a pixel is found between texels"});
     visit(self.show, Field{.name = "show", .help = "the texture, or how it is put together"});
     visit(self.bits, Field{.name = "bits",
                            .help = "of one sample: 8 or 16 in PNG (sRGB), half or float in EXR (linear)",
@@ -52,45 +34,25 @@ struct RenderOptions {
 struct Request {
   std::string bundle;
   std::string output;
-  std::string map;
+  std::optional<std::string> map;
   RenderOptions options;
+  WindowOptions window;
+  GlOptions gl;
 };
 
 /// Rows that are drawn at a time: about this many pixels are held, whatever the size of the picture.
 constexpr int kStripPixels = 1 << 20;
-constexpr double kStepsPerTexel = 256;  // of Window::step_256
 
-Window window_of(const RenderOptions& options, V2i tile_size) {
-  const PixelSize size = parse_size("size", options.size);
-  const DecimalPoint origin = parse_point("origin", options.origin);
-  Window window;
-  window.origin_x = tile_offset(origin.x, tile_size.x, "origin");
-  window.origin_y = tile_offset(origin.y, tile_size.y, "origin");
-  window.step_256 = static_cast<uint32_t>(std::lround(options.step_texels * kStepsPerTexel));
-  window.width = size.width;
-  window.height = size.height;
-  window.seed = options.seed;
-  window.filter = options.filter;
-  check_window(window, tile_size);
-  return window;
-}
-
-const Plane& chosen_map(const EvaluatorPlanes& planes, const std::string& name) {
-  if (const Plane* map = planes.map(name)) return *map;
-  std::vector<std::string> known;
-  for (const Plane& map : planes.maps) known.push_back(map.name);
-  const std::string list =
-      known.empty() ? "the bundle has no maps" : fmt::format("the bundle has {}", fmt::join(known, ", "));
-  throw Error(ErrorKind::usage, fmt::format("--map: no map \"{}\"{}; {}", name, suggestion(name, known), list));
-}
-
-PictureRole role_of(const Plane& map) {
-  const bool normal = map.kind == MapKind::normal_opengl || map.kind == MapKind::normal_directx;
-  return normal ? PictureRole::normal : PictureRole::data;
+/// The reference shader has no views: their tables are no part of what an engine binds.
+void check_show(const Request& request) {
+  if (request.options.show == Show::color) return;
+  const std::string asked = fmt::format("--show {}", enum_name(request.options.show));
+  if (request.map) throw Error(ErrorKind::usage, asked + ": a view shows the texture; expected no --map beside it");
+  if (request.gl.backend == Backend::gl)
+    throw Error(ErrorKind::usage, asked + ": the reference shader draws colours and maps alone; use --backend cpu");
 }
 
 /// Draws by strips of rows, so that a window of any size takes the same memory.
-template <class DrawRows>
 void stream(const std::string& path, const PictureFormat& format, const DrawRows& draw_rows, Console& console) {
   const Progress progress = console.step("render");
   PictureWriter writer(path, format);
@@ -104,26 +66,33 @@ void stream(const std::string& path, const PictureFormat& format, const DrawRows
   console.finish_step();
 }
 
+DrawRows row_drawer(const Request& request, const EvaluatorPlanes& planes, const Plane& plane, const Window& window) {
+  if (request.gl.backend == Backend::gl) return gl_row_drawer(planes, plane, window, request.gl.gl_device);
+  if (!request.map)
+    return [&](int begin, int end) { return show_rows(planes, window, request.options.show, begin, end); };
+  return [&](int begin, int end) { return render_map_rows(planes, plane, window, begin, end); };
+}
+
 void render(const Request& request, const std::string& path, Console& console) {
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
   const EvaluatorPlanes planes = prepare(evaluator_input(bundle.scales.back()));
-  const Window window = window_of(request.options, planes.size);
-  PictureFormat format{.width = window.width, .height = window.height, .samples = request.options.bits};
-  if (request.map.empty()) {
-    const auto rows = [&](int begin, int end) { return show_rows(planes, window, request.options.show, begin, end); };
-    return stream(path, format, rows, console);
-  }
-  const Plane& map = chosen_map(planes, request.map);
-  format.channels = map.channels;
-  format.role = role_of(map);
-  const auto rows = [&](int begin, int end) { return render_map_rows(planes, map, window, begin, end); };
-  stream(path, format, rows, console);
+  const Plane& plane = chosen_plane(planes, request.map);
+  const Window window = window_of(request.window, parse_size("size", request.options.size), planes.size);
+  const PictureFormat format{.width = window.width,
+                             .height = window.height,
+                             .channels = plane.channels,
+                             .role = role_of(planes, plane),
+                             .samples = request.options.bits};
+  stream(path, format, row_drawer(request, planes, plane, window), console);
 }
 
 Outcome run(const Request& request, Console& console) {
   const std::string path = request.output.empty() ? default_picture_path(request.bundle, ".png") : request.output;
   check_options(request.options);
+  check_options(request.window);
+  check_options(request.gl);
+  check_show(request);
   check_picture_name(path, request.options.bits);
   parse_size("size", request.options.size);
   check_file_target(path);
@@ -137,6 +106,8 @@ Action declare(CLI::App& app) {
   app.add_option("-o,--output", request->output, "the picture: .png or .exr; default: NAME.png here")
       ->type_name("FILE");
   add_flags(app, request->options, "Options");
+  add_flags(app, request->window, "Options");
+  add_flags(app, request->gl, "Options");
   add_flag(app,
            {.name = "map",
             .accepted = "NAME",
@@ -153,7 +124,8 @@ Command render_command() {
   return {"render", "bundle → picture: a window of the infinite texture",
           "  texbake render leaves.texbundle -o leaves.png --size 4096x4096\n"
           "  texbake render leaves.texbundle -o patches.png --show patches --origin -512,99999999999\n"
-          "  texbake render rock.texbundle -o normal.png --map normal",
+          "  texbake render rock.texbundle -o normal.png --map normal\n"
+          "  texbake render leaves.texbundle -o leaves.exr --bits float --backend gl",
           declare};
 }
 

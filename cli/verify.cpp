@@ -5,6 +5,11 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/evaluator_input.h"
+#include "cli/option_flags.h"
+#include "cli/verify_frame.h"
+#include "cli/verify_gl.h"
+#include "formats/bundle_io.h"
 
 namespace texbake {
 namespace {
@@ -31,8 +36,30 @@ const char* verdict_text(ExitCode code) {
   }
 }
 
-Outcome run(const std::string& path, Console& console) {
-  console.step("verify");
+struct VerifyOptions {
+  GlLanguage gl_language = GlLanguage::both;
+  int windows = ParityOptions().windows;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.gl_language, Field{.name = "gl-language", .help = "of the shader: OpenGL 3.3 core, OpenGL ES 3.0"});
+    visit(self.windows, Field{.name = "windows",
+                              .min = 1,
+                              .max = 65536,
+                              .help = "random ones to compare with --backend gl, of 65536 points for each plane; more "
+                                      "are drawn, up to 256, until every content was seen"});
+  }
+};
+
+struct Request {
+  std::string bundle;
+  VerifyOptions options;
+  GlOptions gl;
+  FrameRequest frame;
+};
+
+/// The bundle by itself.
+Outcome judged(const std::string& path) {
   const std::vector<Issue> issues = verify_bundle(path);
   // What is not there, or cannot be read, is no bundle to judge.
   for (const Issue& issue : issues)
@@ -49,17 +76,72 @@ Outcome run(const std::string& path, Console& console) {
   return outcome;
 }
 
+/// What was found further is told after what is known.
+void append(Outcome& outcome, const Outcome& further) {
+  if (outcome.code == ExitCode::done) outcome.code = further.code;
+  outcome.text += further.text;
+  outcome.result.update(further.result);
+}
+
+/// What the bundle looks like when something else draws it.
+void compare_drawings(const Request& request, Outcome& outcome, Console& console) {
+  const bool draws = request.gl.backend == Backend::gl;
+  if (!draws && request.frame.frame.empty()) return;
+  const Bundle bundle = read_bundle(request.bundle);
+  const EvaluatorPlanes planes = prepare(evaluator_input(bundle.scales.back()));
+  if (!request.frame.frame.empty()) {
+    console.step("compare the frame");
+    append(outcome, frame_outcome(request.frame, planes, console));
+  }
+  if (!draws) return;
+  console.step("compare with OpenGL");
+  ParityOptions options;
+  options.windows = request.options.windows;
+  append(outcome,
+         parity_outcome(gl_parity(planes, request.options.gl_language, request.gl.gl_device, options), planes.size));
+}
+
+Outcome run(const Request& request, Console& console) {
+  check_options(request.options);
+  check_options(request.gl);
+  check_request(request.frame);
+  console.step("verify");
+  Outcome outcome = judged(request.bundle);
+  if (outcome.code == ExitCode::done) compare_drawings(request, outcome, console);
+  return outcome;
+}
+
 Action declare(CLI::App& app) {
-  const auto path = std::make_shared<std::string>();
-  app.add_option("BUNDLE", *path, "a folder NAME.texbundle")->required()->type_name("");
-  return [path](Console& console) { return run(*path, console); };
+  const auto request = std::make_shared<Request>();
+  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
+  const char* const shader = "The reference shader";
+  add_flags(app, request->gl, shader);
+  add_flags(app, request->options, shader);
+  const char* const engine = "An engine's frame";
+  app.add_option("--frame", request->frame.frame, "a captured picture to compare: EXR (linear) or PNG (sRGB)")
+      ->type_name("FILE")
+      ->group(engine);
+  app.add_option("--camera", request->frame.camera,
+                 "what it shows: {\"window\": {\"origin\": [x, y], \"step\": 1, \"seed\": 0, \"filter\": "
+                 "\"bilinear\", \"map\": null}}")
+      ->type_name("JSON")
+      ->group(engine);
+  app.add_option("--difference", request->frame.difference, "write where it differs; white is most, or NaN")
+      ->type_name("FILE")
+      ->group(engine);
+  add_flags(app, request->frame, engine);
+  return [request](Console& console) { return run(*request, console); };
 }
 
 }  // namespace
 
 Command verify_command() {
-  return {"verify", "bundle → report: whether it is whole and consistent (exit code 1 when it is not)",
-          "  texbake verify leaves.texbundle", declare};
+  return {"verify",
+          "bundle → report: whether it is whole, and drawn by others as by texbake (exit code 1 when it is not)",
+          "  texbake verify leaves.texbundle\n"
+          "  texbake verify leaves.texbundle --backend gl\n"
+          "  texbake verify leaves.texbundle --frame capture.png --camera capture.json --difference where.png",
+          declare};
 }
 
 }  // namespace texbake

@@ -33,6 +33,12 @@ enum class PictureRole {
   normal,  ///< vectors: three channels, decoded to −1 … 1, not renormalised
 };
 
+/// Whether values that a material cannot have are refused.
+enum class PictureValues {
+  checked,  ///< NaN, infinity and too large colours are refused, negative colours become 0
+  kept,     ///< a frame to compare: only decoded; no value and no number of channels is changed, alpha divides nothing
+};
+
 struct Picture {
   int channels = 0;        ///< 1 or 3
   Image<float> planes[3];  ///< `channels` of them, all of the same size
@@ -60,7 +66,8 @@ struct Picture {
 /// Throws Error(io) when the file cannot be opened; Error(unsupported) for deep or volume pictures and turned normal
 /// maps; Error(bad_data) for what is not a picture, is cut off or damaged, is larger than kMaxPictureSide, has a number
 /// of channels that does not suit `role`, or holds NaN, infinity or colours above 65504 (their count and first texel).
-Picture read_picture(const std::string& path, InputSpace space, PictureRole role);
+Picture read_picture(const std::string& path, InputSpace space, PictureRole role,
+                     PictureValues values = PictureValues::checked);
 
 /// Three planes as one image. All have the same size.
 Image<V3f> interleave(const Image<float> (&planes)[3]);

@@ -44,6 +44,7 @@ ValueComparison compare_values(ImageView<const V3f> expected, ImageView<const V3
   check_sizes(expected, found);
   ValueComparison result;
   result.pixels = expected.size();
+  double sum = 0;
   for (int y = 0; y < expected.height(); ++y)
     for (int x = 0; x < expected.width(); ++x) {
       const V3f &a = expected(x, y), &b = found(x, y);
@@ -53,9 +54,12 @@ ValueComparison compare_values(ImageView<const V3f> expected, ImageView<const V3
       const float difference = difference_of(a, b);
       result.differing_bits += bits;
       result.nan_pixels += nan;
+      if (!nan) sum += difference;
       result.differing_pixels += difference > tolerance;
       if (!result.worst || difference > result.worst->difference) result.worst = WorstPixel{x, y, a, b, difference};
     }
+  if (result.pixels > result.nan_pixels)
+    result.mean_difference = sum / static_cast<double>(result.pixels - result.nan_pixels);
   return result;
 }
 

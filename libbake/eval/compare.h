@@ -21,6 +21,7 @@ struct ValueComparison {
   uint64_t differing_pixels = 0;    ///< by more than the tolerance
   uint64_t differing_bits = 0;      ///< of all float channels, tolerance or not
   uint64_t nan_pixels = 0;          ///< NaN on either side
+  double mean_difference = 0;       ///< of the greatest difference of each pixel, over those that are not NaN
   std::optional<WorstPixel> worst;  ///< nothing when all bits are equal
 };
 

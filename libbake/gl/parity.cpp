@@ -43,7 +43,9 @@ void add(ParityReport& report, const Window& window, const Plane& plane, const F
   report.differing_decisions += decisions.differing_pixels;
   if (values.worst && (!report.worst || values.worst->difference > report.worst->pixel.difference))
     report.worst = WorstWindow{window, plane.name, *values.worst};
-  if (decisions.differing_pixels > 0 && !report.first_decision_window) report.first_decision_window = window;
+  if (decisions.differing_pixels == 0 || report.first_decision) return;
+  const V2i at = decisions.first;
+  report.first_decision = DifferingDecision{window, at, expected.decisions(at.x, at.y), found.decisions(at.x, at.y)};
 }
 
 }  // namespace
@@ -69,12 +71,18 @@ ParityReport check_parity(const EvaluatorPlanes& planes, const GlContext& contex
   ParityReport report;
   report.driver = context.description();
   std::vector<bool> seen(static_cast<size_t>(planes.patch_count) * static_cast<size_t>(planes.content_count), false);
+  report.contents = seen.size();
+  const auto all_seen = [&] { return std::find(seen.begin(), seen.end(), false) == seen.end(); };
   const auto check = [&](const Window& window, const Plane& plane) {
     const Frame expected = reference_frame(planes, window, plane);
     count_contents(expected, planes.content_count, seen);
     add(report, window, plane, expected, renderer.draw(window, plane));
   };
-  for (const Window& window : parity_windows(planes.size, options)) {
+  ParityOptions longest = options;
+  longest.windows = std::max(options.windows, options.most_windows);
+  int drawn = 0;
+  for (const Window& window : parity_windows(planes.size, longest)) {
+    if (drawn++ >= options.windows && all_seen()) break;
     check(window, planes.base);
     for (const Plane& map : planes.maps) check(window, map);
   }

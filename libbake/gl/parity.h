@@ -9,7 +9,8 @@
 namespace texbake {
 
 struct ParityOptions {
-  int windows = 16;  ///< each of side × side pixels, both filters in turn
+  int windows = 16;        ///< at least, each of side × side pixels, both filters in turn
+  int most_windows = 256;  ///< more are drawn until every content was seen, or there are this many
   int side = 256;
   uint32_t seed = 1;  ///< of the choice of windows; each has its own seed of contents
 };
@@ -25,6 +26,13 @@ struct WorstWindow {
   WorstPixel pixel;
 };
 
+/// The first point at which decisions differ.
+struct DifferingDecision {
+  Window window;
+  V2i pixel{0, 0};
+  PixelDecision expected, found;
+};
+
 struct ParityReport {
   uint64_t points = 0;
   uint64_t differing_decisions = 0;
@@ -32,8 +40,9 @@ struct ParityReport {
   uint64_t differing_bits = 0;
   uint64_t nan_points = 0;
   uint64_t drawn_contents = 0;  ///< how many of the P · N_t contents were seen
+  uint64_t contents = 0;        ///< P · N_t
   std::optional<WorstWindow> worst;
-  std::optional<Window> first_decision_window;  ///< where a decision first differed
+  std::optional<DifferingDecision> first_decision;
   std::string driver;
 
   bool equal() const { return differing_decisions == 0 && differing_points == 0; }

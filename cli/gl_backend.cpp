@@ -1,0 +1,66 @@
+#include "cli/gl_backend.h"
+
+#include <memory>
+
+#ifdef TEXBAKE_WITH_GL
+#include "libbake/gl/gl_rows.h"
+#endif
+
+namespace texbake {
+
+#ifdef TEXBAKE_WITH_GL
+namespace {
+
+GlContextOptions context_options(GlLanguage language, const std::optional<int>& device) {
+  return {language == GlLanguage::es ? ShaderLanguage::glsl_300_es : ShaderLanguage::glsl_330, device};
+}
+
+/// A renderer is destroyed before the context that it draws on.
+struct Drawer {
+  GlContext context;
+  GlRenderer renderer;
+  Drawer(const EvaluatorPlanes& planes, const std::optional<int>& device)
+      : context(context_options(GlLanguage::core, device)), renderer(context, planes) {}
+};
+
+}  // namespace
+
+std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
+                                      const std::optional<int>& device, const ParityOptions& options) {
+  std::vector<LanguageParity> found;
+  for (const GlLanguage one : {GlLanguage::core, GlLanguage::es}) {
+    if (language != one && language != GlLanguage::both) continue;
+    const GlContext context(context_options(one, device));
+    found.push_back({one, check_parity(planes, context, options)});
+  }
+  return found;
+}
+
+DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
+                       const std::optional<int>& device) {
+  const auto drawer = std::make_shared<Drawer>(planes, device);
+  return [drawer, &planes, &plane, window](int begin, int end) {
+    return gl_rows(drawer->renderer, planes, plane, window, begin, end);
+  };
+}
+
+#else
+namespace {
+
+[[noreturn]] void refuse() {
+  throw Error(ErrorKind::unsupported,
+              "--backend gl: this texbake was built without OpenGL; build it where EGL/eglext.h and GL/glcorearb.h are "
+              "(Debian: libegl-dev libgl-dev)");
+}
+
+}  // namespace
+
+std::vector<LanguageParity> gl_parity(const EvaluatorPlanes&, GlLanguage, const std::optional<int>&,
+                                      const ParityOptions&) {
+  refuse();
+}
+
+DrawRows gl_row_drawer(const EvaluatorPlanes&, const Plane&, const Window&, const std::optional<int>&) { refuse(); }
+#endif
+
+}  // namespace texbake

@@ -1,0 +1,68 @@
+// The reference shader on OpenGL, as verbs use it; a build without OpenGL has the same functions, which say so.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "libbake/base/options.h"
+#include "libbake/gl/parity.h"
+
+namespace texbake {
+
+/// What draws.
+enum class Backend {
+  cpu,  ///< the evaluator
+  gl,   ///< the reference shader on OpenGL, without a window
+};
+template <>
+struct EnumNames<Backend> {
+  static constexpr std::pair<Backend, std::string_view> values[] = {{Backend::cpu, "cpu"}, {Backend::gl, "gl"}};
+};
+
+/// Which language of the reference shader.
+enum class GlLanguage {
+  core,  ///< OpenGL 3.3 core
+  es,    ///< OpenGL ES 3.0, that of WebGL 2
+  both,
+};
+template <>
+struct EnumNames<GlLanguage> {
+  static constexpr std::pair<GlLanguage, std::string_view> values[] = {
+      {GlLanguage::core, "core"}, {GlLanguage::es, "es"}, {GlLanguage::both, "both"}};
+};
+
+struct GlOptions {
+  Backend backend = Backend::cpu;
+  std::optional<int> gl_device;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.backend, Field{.name = "backend", .help = "gl: the reference shader on OpenGL, without a window"});
+    visit(self.gl_device, Field{.name = "gl-device",
+                                .min = 0,
+                                .max = 63,
+                                .help = "number of the EGL device that draws",
+                                .auto_help = "Mesa without a display, else the default display"});
+  }
+};
+
+/// What one driver gave in one language.
+struct LanguageParity {
+  GlLanguage language = GlLanguage::core;
+  ParityReport report;
+};
+
+/// Compares the evaluator with the shader in each language. Throws Error(unsupported) where there is no OpenGL, it is
+/// too old, or this texbake was built without it.
+std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
+                                      const std::optional<int>& device, const ParityOptions& options);
+
+/// Draws rows row_begin ≤ j < row_end of a window.
+using DrawRows = std::function<Image<V3f>(int row_begin, int row_end)>;
+
+/// Draws `plane` in OpenGL 3.3 core; borrows `planes`. Throws as gl_parity does.
+DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
+                       const std::optional<int>& device);
+
+}  // namespace texbake

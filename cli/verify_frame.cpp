@@ -1,0 +1,137 @@
+#include "cli/verify_frame.h"
+
+#include <cmath>
+
+#include "cli/bundle_path.h"
+#include "cli/camera.h"
+#include "cli/window_options.h"
+#include "formats/frame.h"
+#include "formats/image_writer.h"
+#include "formats/json_text.h"
+#include "libbake/eval/compare.h"
+
+namespace texbake {
+namespace {
+
+/// The reference of a frame, and what it shows.
+struct Reference {
+  const Plane& plane;
+  PictureRole role;
+  Camera camera;
+};
+
+Window window_for(const Reference& reference, const CapturedFrame& frame, V2i tile_size, const FrameRequest& request) {
+  const PixelSize size{frame.values.width(), frame.values.height()};
+  const auto& stated = reference.camera.frame_size;
+  if (stated && (stated->width != size.width || stated->height != size.height))
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}: expected {} x {} pixels, as {} says, found {} x {}", request.frame, stated->width,
+                            stated->height, request.camera, size.width, size.height));
+  return window_of(reference.camera.window, size, tile_size);
+}
+
+Reference reference_of(const EvaluatorPlanes& planes, const std::string& camera_path) {
+  Camera camera = read_camera(camera_path);
+  try {
+    const Plane& plane = chosen_plane(planes, camera.map);
+    window_of(camera.window, {1, 1}, planes.size);
+    return {plane, role_of(planes, plane), std::move(camera)};
+  } catch (const Error& error) {
+    throw Error(ErrorKind::bad_data, fmt::format("{}: window: {}", camera_path, error.what()));
+  }
+}
+
+Image<V3f> drawn(const EvaluatorPlanes& planes, const Reference& reference, const Window& window) {
+  return reference.role == PictureRole::color ? render_rows(planes, window, 0, window.height)
+                                              : render_map_rows(planes, reference.plane, window, 0, window.height);
+}
+
+/// Every difference as light: white is the greatest one, or NaN.
+void write_difference(const std::string& path, const Image<V3f>& expected, const Image<V3f>& found,
+                      const ValueComparison& comparison) {
+  const float worst = comparison.worst ? comparison.worst->difference : 0;
+  const float gain = worst > 0 && std::isfinite(worst) ? 1 / worst : 1;
+  write_picture(path, difference_picture(expected, found, gain), PictureRole::data);
+}
+
+std::string text(const V3f& value) { return fmt::format("({}, {}, {})", value.x, value.y, value.z); }
+Json json_of(const V3f& value) { return {json_number(value.x), json_number(value.y), json_number(value.z)}; }
+
+/// The frame beside the reference, in light and in steps of its samples.
+struct Finding {
+  const CapturedFrame& frame;
+  const Image<V3f>& expected;
+  ValueComparison comparison;
+  float tolerance;
+
+  const char* unit() const { return frame.scale.code == SampleCode::float32 ? "" : " steps"; }
+};
+
+std::string text(const Finding& finding, const std::string& path) {
+  const ValueComparison& c = finding.comparison;
+  std::string out = fmt::format("{}: {} the reference\n", path, c.differing_pixels > 0 ? "differs from" : "equals");
+  out += fmt::format("  {} pixels of {}: {} differ by more than {}{}, {} are NaN; mean difference {:.4g}{}\n", c.pixels,
+                     sample_name(finding.frame.scale), c.differing_pixels, finding.tolerance, finding.unit(),
+                     c.nan_pixels, c.mean_difference, finding.unit());
+  if (const auto& worst = c.worst)
+    out += fmt::format("  worst: pixel ({}, {}): expected {}, found {}, {:.4g}{} apart\n", worst->x, worst->y,
+                       text(finding.expected(worst->x, worst->y)), text(finding.frame.values(worst->x, worst->y)),
+                       worst->difference, finding.unit());
+  return out;
+}
+
+Json json_of(const Finding& finding, const FrameRequest& request) {
+  const ValueComparison& c = finding.comparison;
+  Json json = {{"file", request.frame},
+               {"camera", request.camera},
+               {"equal", c.differing_pixels == 0},
+               {"samples", sample_name(finding.frame.scale)},
+               {"pixels", c.pixels},
+               {"tolerance", json_number(finding.tolerance)},
+               {"differingPixels", c.differing_pixels},
+               {"nanPixels", c.nan_pixels},
+               {"meanDifference", c.mean_difference}};
+  if (const auto& worst = c.worst)
+    json["worst"] = {{"pixel", {worst->x, worst->y}},
+                     {"expected", json_of(finding.expected(worst->x, worst->y))},
+                     {"found", json_of(finding.frame.values(worst->x, worst->y))},
+                     {"difference", json_number(worst->difference)}};
+  if (!request.difference.empty()) json["difference"] = request.difference;
+  return json;
+}
+
+}  // namespace
+
+void check_request(const FrameRequest& request) {
+  const auto refuse = [](const char* what) { throw Error(ErrorKind::usage, what); };
+  check_options(request);
+  if (request.frame.empty() != request.camera.empty())
+    refuse("expected --frame and --camera together: the picture, and what it shows");
+  if (request.frame.empty() && request.tolerance) refuse("--tolerance: expected a --frame to compare");
+  if (request.frame.empty() && !request.difference.empty()) refuse("--difference: expected a --frame to compare");
+  if (request.difference.empty()) return;
+  check_picture_name(request.difference);
+  check_file_target(request.difference);
+}
+
+Outcome frame_outcome(const FrameRequest& request, const EvaluatorPlanes& planes, Console& console) {
+  const Reference reference = reference_of(planes, request.camera);
+  const CapturedFrame frame = read_frame(request.frame, reference.role, reference.plane.channels);
+  for (const std::string& note : frame.notes) console.note(note);
+  const Window window = window_for(reference, frame, planes.size, request);
+  const Image<V3f> expected = drawn(planes, reference, window);
+
+  const Image<V3f> expected_steps = in_steps(expected, frame.scale), found_steps = in_steps(frame.values, frame.scale);
+  const float tolerance = request.tolerance.value_or(default_tolerance(frame.scale));
+  const Finding finding{frame, expected, compare_values(expected_steps, found_steps, tolerance), tolerance};
+  if (!request.difference.empty())
+    write_difference(request.difference, expected_steps, found_steps, finding.comparison);
+
+  Outcome outcome;
+  outcome.code = finding.comparison.differing_pixels > 0 ? ExitCode::no : ExitCode::done;
+  outcome.text = text(finding, request.frame);
+  outcome.result["frame"] = json_of(finding, request);
+  return outcome;
+}
+
+}  // namespace texbake

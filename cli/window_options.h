@@ -1,0 +1,47 @@
+// Which window of the infinite texture is meant: the options that render and a camera file share.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/option_text.h"
+#include "formats/image_reader.h"
+#include "libbake/eval/window.h"
+
+namespace texbake {
+
+struct WindowOptions {
+  std::string origin = "0,0";
+  double step_texels = 1;
+  uint32_t seed = 0;
+  Filter filter = Filter::bilinear;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.origin, Field{.name = "origin",
+                             .unit = "X,Y",
+                             .help = "of its upper left corner in texels; may be negative, far, decimal"});
+    visit(self.step_texels, Field{.name = "step",
+                                  .unit = "texels",
+                                  .min = 0.00390625,
+                                  .max = 65536,
+                                  .help = "texels from one pixel to the next, in steps of 1/256"});
+    visit(self.seed, Field{.name = "seed",
+                           .min = 0,
+                           .max = 4294967295.0,
+                           .help = "another one gives another texture "
+                                   "of the same bundle"});
+    visit(self.filter, Field{.name = "filter", .help = "how a pixel is found between texels"});
+  }
+};
+
+/// Throws Error(usage) when the options do not name a window of the infinite texture.
+Window window_of(const WindowOptions& options, PixelSize size, V2i tile_size);
+
+/// The map `name`, or the base for nothing. Throws Error(usage), with a suggestion, when the bundle has no such map.
+const Plane& chosen_plane(const EvaluatorPlanes& planes, const std::optional<std::string>& name);
+
+/// What a picture of `plane` of `planes` is.
+PictureRole role_of(const EvaluatorPlanes& planes, const Plane& plane);
+
+}  // namespace texbake

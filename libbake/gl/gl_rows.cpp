@@ -1,0 +1,36 @@
+#include "libbake/gl/gl_rows.h"
+
+#include <algorithm>
+
+#include "libbake/eval/window_part.h"
+
+namespace texbake {
+namespace {
+
+/// The least that GL 3.3 lets a driver have as its largest texture; ES 3.0 asks for 2048.
+constexpr int kTileSide = 1024;
+
+void place(const Image<glsl::vec4>& tile, V2i at, Image<V3f>& rows) {
+  for (int y = 0; y < tile.height(); ++y)
+    for (int x = 0; x < tile.width(); ++x) {
+      const glsl::vec4& value = tile(x, y);
+      rows(at.x + x, at.y + y) = {value.x, value.y, value.z};
+    }
+}
+
+}  // namespace
+
+Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
+                   int row_begin, int row_end) {
+  check_window(window, planes.size);
+  Image<V3f> rows(window.width, row_end - row_begin);
+  for (int y = 0; y < rows.height(); y += kTileSide)
+    for (int x = 0; x < rows.width(); x += kTileSide) {
+      const V2i size(std::min(kTileSide, rows.width() - x), std::min(kTileSide, rows.height() - y));
+      const Window tile = part_of(window, planes.size, {x, row_begin + y}, size);
+      place(renderer.draw(tile, plane).values, {x, y}, rows);
+    }
+  return rows;
+}
+
+}  // namespace texbake
