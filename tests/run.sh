@@ -18,7 +18,7 @@ passed=0 failed=0 skipped=0
 # count JUNIT_FILE: adds one run of ctest to the sums.
 count() {
   local tests bad skip
-  attribute() { grep -o "<testsuite[^>]*" "$1" | tr '\n\t' '  ' | grep -o " $2=\"[0-9]*\"" | head -1 | tr -cd '0-9'; }
+  attribute() { tr '\n\t' '  ' < "$1" | grep -o '<testsuite [^>]*' | grep -o " $2=\"[0-9]*\"" | head -1 | tr -cd '0-9'; }
   tests=$(attribute "$1" tests) bad=$(attribute "$1" failures) skip=$(($(attribute "$1" skipped) + $(attribute "$1" disabled)))
   passed=$((passed + tests - bad - skip)) failed=$((failed + bad)) skipped=$((skipped + skip))
 }
@@ -38,8 +38,11 @@ run() {
 # Another compiler must bake the same bytes: its program is compared by tests/cli/determinism.sh.
 if command -v clang++ >/dev/null; then
   echo "== clang" >&2
-  cmake --preset clang -DTEXBAKE_TESTS=OFF -DTEXBAKE_BENCH=OFF "${compiler_cache[@]}" >&2 &&
-    cmake --build --preset clang --target texbake >&2 || { echo "tests/run.sh: the build with clang++ failed" >&2; failed=1; }
+  if ! cmake --preset clang -DTEXBAKE_TESTS=OFF -DTEXBAKE_BENCH=OFF "${compiler_cache[@]}" >&2 ||
+    ! cmake --build --preset clang --target texbake >&2; then
+    echo "tests/run.sh: the build with clang++ failed" >&2
+    failed=1
+  fi
 else
   echo "SKIPPED: no clang++ here, so that its bytes are not compared with those of g++" >&2
   skipped=1
