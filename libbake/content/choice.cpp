@@ -4,55 +4,24 @@
 #include <cmath>
 #include <numeric>
 
-#include "libbake/base/gaussian.h"
 #include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/base/random.h"
+#include "libbake/content/low_passed.h"
 
 namespace texbake {
 namespace {
 
-constexpr int kLowCells = 64;  // along the shorter side: σ = 1/16 of it is four cells
 constexpr int kMaxPasses = 12;
 
-// The tile seen from afar: block means, smoothed, less their mean.
-struct LowPassed {
-  int block_px = 1;
-  Image<V3f> color;   // z of each cell
-  double energy = 0;  // mean |z|² over the tile
-};
-
-LowPassed low_passed(ImageView<const V3f> luv) {
-  LowPassed low;
-  const int side = std::min(luv.width(), luv.height());
-  while (side / (2 * low.block_px) >= kLowCells && luv.width() % (2 * low.block_px) == 0 &&
-         luv.height() % (2 * low.block_px) == 0)
-    low.block_px *= 2;
-  Image<V3f> cells(luv.width() / low.block_px, luv.height() / low.block_px);
-  const float share = 1.0f / static_cast<float>(low.block_px * low.block_px);
-  parallel_for(0, cells.height(), [&](int y) {
-    for (int x = 0; x < cells.width(); ++x)
-      for (int j = 0; j < low.block_px; ++j)
-        for (int i = 0; i < low.block_px; ++i) cells(x, y) += luv(x * low.block_px + i, y * low.block_px + j) * share;
-  });
-  low.color = gaussian_blur(cells, side / 16.0 / low.block_px, Wrap::repeat);
-  double mean[3] = {};
-  for (const V3f& c : low.color)
-    for (int i = 0; i < 3; ++i) mean[i] += static_cast<double>(c[i]) / static_cast<double>(low.color.size());
-  for (V3f& c : low.color) {
-    c -= V3f(static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2]));
-    low.energy += static_cast<double>(c.length2()) / static_cast<double>(low.color.size());
-  }
-  return low;
-}
-
 // Cells whose middle texel belongs to each patch.
-std::vector<std::vector<V2i>> cells_of_patches(const Partition& patches, const LowPassed& low) {
-  std::vector<std::vector<V2i>> cells(static_cast<size_t>(patches.count()));
-  for (int y = 0; y < low.color.height(); ++y)
-    for (int x = 0; x < low.color.width(); ++x) {
-      const int middle = low.block_px / 2;
-      cells[patches.idx(x * low.block_px + middle, y * low.block_px + middle)].emplace_back(x, y);
+std::vector<std::vector<V2i>> cells_of_patches(ImageView<const uint32_t> patch_idx, size_t patch_count,
+                                               const LowPassed& low) {
+  std::vector<std::vector<V2i>> cells(patch_count);
+  for (int y = 0; y < low.cells().y; ++y)
+    for (int x = 0; x < low.cells().x; ++x) {
+      const V2i p = low.middle_px({x, y});
+      cells[patch_idx(p.x, p.y)].emplace_back(x, y);
     }
   return cells;
 }
@@ -70,10 +39,10 @@ struct PatchState {
 
 class BalancedChoice {
  public:
-  BalancedChoice(const std::vector<Candidates>& candidates, ImageView<const V3f> luv, const Partition& patches,
-                 const ChoiceWeights& weights)
+  BalancedChoice(const std::vector<Candidates>& candidates, ImageView<const V3f> luv,
+                 ImageView<const uint32_t> patch_idx, const ChoiceWeights& weights)
       : low_(low_passed(luv)), weights_(weights), use_(low_.color.width(), low_.color.height()) {
-    const auto cells = cells_of_patches(patches, low_);
+    const auto cells = cells_of_patches(patch_idx, candidates.size(), low_);
     for (size_t p = 0; p < candidates.size(); ++p) patches_.push_back(make_patch(cells[p], candidates[p]));
   }
 
@@ -112,10 +81,9 @@ class BalancedChoice {
   };
 
   V3f z(const PatchState& patch, int number, size_t cell) const {
-    const V2i p = wrap(patch.cells[cell] + patch.shifts[static_cast<size_t>(number)], size());
+    const V2i p = wrap(patch.cells[cell] + patch.shifts[static_cast<size_t>(number)], low_.cells());
     return low_.color(p.x, p.y);
   }
-  V2i size() const { return {low_.color.width(), low_.color.height()}; }
 
   PatchState make_patch(const std::vector<V2i>& cells, const Candidates& candidates) const {
     PatchState patch;
@@ -127,9 +95,7 @@ class BalancedChoice {
     for (const Candidate& candidate : candidates)
       mean += static_cast<double>(candidate.error_sum) / static_cast<double>(candidates.size());
     for (const Candidate& candidate : candidates) {
-      const int half = low_.block_px / 2;
-      patch.shifts.emplace_back((candidate.translation.x + half) / low_.block_px,
-                                (candidate.translation.y + half) / low_.block_px);
+      patch.shifts.push_back(low_.shift(candidate.translation));
       patch.impacts.push_back(mean > 0.0 ? static_cast<double>(candidate.error_sum) / mean : 0.0);
     }
     for (int number = 0; number < static_cast<int>(patch.shifts.size()); ++number) {
@@ -142,7 +108,7 @@ class BalancedChoice {
 
   void count_use(const PatchState& patch, int number, int change) {
     for (const V2i& cell : patch.cells) {
-      const V2i p = wrap(cell + patch.shifts[static_cast<size_t>(number)], size());
+      const V2i p = wrap(cell + patch.shifts[static_cast<size_t>(number)], low_.cells());
       use_(p.x, p.y) += change;
     }
   }
@@ -166,7 +132,7 @@ class BalancedChoice {
     double use = 0.0;
     for (size_t i = 0; i < patch.cells.size(); ++i) {
       mean_energy += static_cast<double>((patch.sum[i] + z(patch, number, i)).length2());
-      const V2i p = wrap(patch.cells[i] + patch.shifts[static_cast<size_t>(number)], size());
+      const V2i p = wrap(patch.cells[i] + patch.shifts[static_cast<size_t>(number)], low_.cells());
       // (u + 1 − m)² − (u − m)²
       use += 2.0 * (static_cast<double>(use_(p.x, p.y)) - mean_use_) + 1.0;
     }
@@ -216,57 +182,6 @@ class BalancedChoice {
   double mean_use_ = 1;
 };
 
-// Σ_P Σ_{x∈P} |mean_c z_c|² / Σ_P Σ_{x∈P} mean_c |z_c|².
-double predicted_repetition(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> luv,
-                            ImageView<const uint32_t> patch_idx) {
-  const V2i size(luv.width(), luv.height());
-  double mean[3] = {};
-  for (const V3f& c : luv)
-    for (int i = 0; i < 3; ++i) mean[i] += static_cast<double>(c[i]) / static_cast<double>(luv.size());
-  const V3f center(static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2]));
-  std::vector<std::pair<double, double>> rows(static_cast<size_t>(size.y));
-  parallel_for(0, size.y, [&](int y) {
-    for (int x = 0; x < size.x; ++x) {
-      const auto& contents = translations[patch_idx(x, y)];
-      V3f sum(0);
-      double energy = 0.0;
-      for (const V2i& t : contents) {
-        const V2i p = wrap(V2i(x, y) + t, size);
-        const V3f z = luv(p.x, p.y) - center;
-        sum += z;
-        energy += static_cast<double>(z.length2());
-      }
-      const auto n = static_cast<double>(contents.size());
-      rows[static_cast<size_t>(y)].first += static_cast<double>(sum.length2()) / (n * n);
-      rows[static_cast<size_t>(y)].second += energy / n;
-    }
-  });
-  double shared = 0.0, all = 0.0;
-  for (const auto& [row_shared, row_all] : rows) {
-    shared += row_shared;
-    all += row_all;
-  }
-  return all > 0.0 ? shared / all : 0.0;
-}
-
-double use_deviation(const std::vector<std::vector<V2i>>& translations, ImageView<const uint32_t> patch_idx) {
-  const V2i size(patch_idx.width(), patch_idx.height());
-  Image<int> use(size.x, size.y);
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      for (const V2i& t : translations[patch_idx(x, y)]) {
-        const V2i p = wrap(V2i(x, y) + t, size);
-        ++use(p.x, p.y);
-      }
-  double sum = 0.0, squares = 0.0;
-  for (const int u : use) {
-    sum += u;
-    squares += static_cast<double>(u) * u;
-  }
-  const auto n = static_cast<double>(use.size());
-  return std::sqrt(std::max(squares / n - sum * sum / (n * n), 0.0)) / (sum / n);
-}
-
 }  // namespace
 
 ChosenCandidates choose_least_impact(const std::vector<Candidates>& candidates, int wanted) {
@@ -276,37 +191,8 @@ ChosenCandidates choose_least_impact(const std::vector<Candidates>& candidates, 
 }
 
 ChosenCandidates choose_balanced(const std::vector<Candidates>& candidates, int wanted, ImageView<const V3f> base_luv,
-                                 const Partition& patches, uint32_t seed, const ChoiceWeights& weights) {
-  return BalancedChoice(candidates, base_luv, patches, weights).choose(wanted, seed);
-}
-
-ChoiceFigures choice_figures(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> base_luv,
-                             const Partition& patches) {
-  ChoiceFigures figures;
-  figures.repetition_near = predicted_repetition(translations, base_luv, patches.idx);
-  const double far_px = std::min(base_luv.width(), base_luv.height()) / 16.0;
-  const LowPassed low = low_passed(base_luv);
-  if (low.block_px == 1) {
-    figures.repetition_far =
-        predicted_repetition(translations, gaussian_blur(base_luv, far_px, Wrap::repeat), patches.idx);
-  } else {
-    // The same at the reduced size.
-    Image<uint32_t> idx(low.color.width(), low.color.height());
-    for (int y = 0; y < idx.height(); ++y)
-      for (int x = 0; x < idx.width(); ++x)
-        idx(x, y) = patches.idx(x * low.block_px + low.block_px / 2, y * low.block_px + low.block_px / 2);
-    std::vector<std::vector<V2i>> reduced;
-    for (const auto& contents : translations) {
-      reduced.emplace_back();
-      for (const V2i& t : contents) {
-        const V2i positive = wrap(t, V2i(base_luv.width(), base_luv.height())) + V2i(low.block_px / 2);
-        reduced.back().push_back(positive / low.block_px);
-      }
-    }
-    figures.repetition_far = predicted_repetition(reduced, low.color, idx);
-  }
-  figures.use_deviation = use_deviation(translations, patches.idx);
-  return figures;
+                                 ImageView<const uint32_t> patch_idx, uint32_t seed, const ChoiceWeights& weights) {
+  return BalancedChoice(candidates, base_luv, patch_idx, weights).choose(wanted, seed);
 }
 
 }  // namespace texbake

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "libbake/content/content_search.h"
-#include "libbake/segment/partition.h"
 
 namespace texbake {
 
@@ -30,17 +29,6 @@ ChosenCandidates choose_least_impact(const std::vector<Candidates>& candidates, 
 /// the tile's smaller side, less the tile's mean. Starts greedily and then exchanges one content at a time, patches in
 /// an order drawn from `seed`, until nothing improves. `base_luv` is the base in CIELUV.
 ChosenCandidates choose_balanced(const std::vector<Candidates>& candidates, int wanted, ImageView<const V3f> base_luv,
-                                 const Partition& patches, uint32_t seed, const ChoiceWeights& weights = {});
-
-/// What the choice is judged by before anything is drawn.
-struct ChoiceFigures {
-  double repetition_near = 0;  ///< G predicted from the contents alone, σ = 0: 1 periodic, 1/N_t ideal
-  double repetition_far = 0;   ///< the same, σ = 1/16 of the tile's smaller side
-  double use_deviation = 0;    ///< standard deviation of how often a texel is used / its mean
-};
-
-/// G_σ = Σ_P Σ_{x∈P} |mean_c z_c(x)|² / Σ_P Σ_{x∈P} mean_c |z_c(x)|², the identity among the contents c.
-ChoiceFigures choice_figures(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> base_luv,
-                             const Partition& patches);
+                                 ImageView<const uint32_t> patch_idx, uint32_t seed, const ChoiceWeights& weights = {});
 
 }  // namespace texbake

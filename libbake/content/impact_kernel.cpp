@@ -2,6 +2,7 @@
 #include "libbake/content/impact_kernel.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 // Highway's emulation of 128-bit vectors is miscompiled by g++ before 12.3: processors without SSSE3 take plain loops.
@@ -10,6 +11,8 @@
 #define HWY_TARGET_INCLUDE "libbake/content/impact_kernel.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
+
+#include "libbake/content/kernel_vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texbake {
@@ -64,113 +67,7 @@ std::array<uint8_t, kGroupSize> lane_order() {
 
 #else
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::CappedTag<uint8_t, kGroupWidth> d8{};
-constexpr hn::Repartition<uint16_t, decltype(d8)> d16{};
-constexpr hn::Repartition<uint32_t, decltype(d8)> d32{};
-constexpr hn::Repartition<int16_t, decltype(d8)> di16{};
-constexpr hn::Repartition<int32_t, decltype(d8)> di32{};
-constexpr hn::Repartition<int64_t, decltype(d8)> d64{};
-constexpr hn::Repartition<uint64_t, decltype(d8)> du64{};
-constexpr hn::Rebind<uint32_t, decltype(d64)> d32_half{};
-
 constexpr int kRingRows = 8;  // the seven rows of the mask and the one above, which `slide` takes away
-
-// One vector for each row of a group: Lanes(d8) translations of each row are summed at a time.
-struct Bytes {
-  hn::Vec<decltype(d8)> row[kGroupRows];
-};
-
-HWY_ATTR HWY_INLINE size_t slot() { return kGroupRows * hn::Lanes(d8); }
-HWY_ATTR HWY_INLINE Bytes load(const uint8_t* from) {
-  Bytes v;
-  for (size_t r = 0; r < kGroupRows; ++r) v.row[r] = hn::Load(d8, from + r * hn::Lanes(d8));
-  return v;
-}
-HWY_ATTR HWY_INLINE void store(const Bytes& v, uint8_t* to) {
-  for (size_t r = 0; r < kGroupRows; ++r) hn::Store(v.row[r], d8, to + r * hn::Lanes(d8));
-}
-
-// The same with 16 bits: of each 16 translations the first 8 in `low`, the last 8 in `high`.
-struct Words {
-  hn::Vec<decltype(d16)> low[kGroupRows];
-  hn::Vec<decltype(d16)> high[kGroupRows];
-};
-
-HWY_ATTR HWY_INLINE Words load(const uint16_t* from) {
-  Words v;
-  for (size_t r = 0; r < kGroupRows; ++r) {
-    v.low[r] = hn::Load(d16, from + 2 * r * hn::Lanes(d16));
-    v.high[r] = hn::Load(d16, from + (2 * r + 1) * hn::Lanes(d16));
-  }
-  return v;
-}
-HWY_ATTR HWY_INLINE void store(const Words& v, uint16_t* to) {
-  for (size_t r = 0; r < kGroupRows; ++r) {
-    hn::Store(v.low[r], d16, to + 2 * r * hn::Lanes(d16));
-    hn::Store(v.high[r], d16, to + (2 * r + 1) * hn::Lanes(d16));
-  }
-}
-HWY_ATTR HWY_INLINE Words widen(const Bytes& v) {
-  Words wide;
-  for (size_t r = 0; r < kGroupRows; ++r) {
-    wide.low[r] = hn::BitCast(d16, hn::InterleaveLower(d8, v.row[r], hn::Zero(d8)));
-    wide.high[r] = hn::BitCast(d16, hn::InterleaveUpper(d8, v.row[r], hn::Zero(d8)));
-  }
-  return wide;
-}
-HWY_ATTR HWY_INLINE Words operator+(Words a, const Words& b) {
-  for (size_t r = 0; r < kGroupRows; ++r) {
-    a.low[r] = hn::Add(a.low[r], b.low[r]);
-    a.high[r] = hn::Add(a.high[r], b.high[r]);
-  }
-  return a;
-}
-HWY_ATTR HWY_INLINE Words operator-(Words a, const Words& b) {
-  for (size_t r = 0; r < kGroupRows; ++r) {
-    a.low[r] = hn::Sub(a.low[r], b.low[r]);
-    a.high[r] = hn::Sub(a.high[r], b.high[r]);
-  }
-  return a;
-}
-
-// Sums of 32 bits: of each 16 translations four in each vector.
-struct ErrorSums {
-  hn::Vec<decltype(di32)> quarter[kGroupRows][4];
-};
-
-HWY_ATTR HWY_INLINE ErrorSums load_sums(const uint32_t* from) {
-  ErrorSums sums;
-  for (size_t r = 0; r < kGroupRows; ++r)
-    for (size_t i = 0; i < 4; ++i)
-      sums.quarter[r][i] = hn::BitCast(di32, hn::LoadU(d32, from + r * kGroupWidth + i * hn::Lanes(d32)));
-  return sums;
-}
-HWY_ATTR HWY_INLINE void store_sums(const ErrorSums& sums, uint32_t* to) {
-  for (size_t r = 0; r < kGroupRows; ++r)
-    for (size_t i = 0; i < 4; ++i)
-      hn::StoreU(hn::BitCast(d32, sums.quarter[r][i]), d32, to + r * kGroupWidth + i * hn::Lanes(d32));
-}
-
-// Adds δ · (M ∗ δ) of two texels.
-HWY_ATTR HWY_INLINE void add_errors(const Bytes& delta_1, const Words& box_1, const Bytes& delta_2, const Words& box_2,
-                                    ErrorSums& sums) {
-  const auto zero = hn::Zero(d8);
-  auto unused = hn::Zero(di32);
-  for (size_t r = 0; r < kGroupRows; ++r) {
-    const auto low = hn::InterleaveLower(d8, delta_1.row[r], delta_2.row[r]);
-    const auto high = hn::InterleaveUpper(d8, delta_1.row[r], delta_2.row[r]);
-    const hn::Vec<decltype(d8)> deltas[4] = {hn::InterleaveLower(d8, low, zero), hn::InterleaveUpper(d8, low, zero),
-                                             hn::InterleaveLower(d8, high, zero), hn::InterleaveUpper(d8, high, zero)};
-    const hn::Vec<decltype(d16)> boxes[4] = {
-        hn::InterleaveLower(d16, box_1.low[r], box_2.low[r]), hn::InterleaveUpper(d16, box_1.low[r], box_2.low[r]),
-        hn::InterleaveLower(d16, box_1.high[r], box_2.high[r]), hn::InterleaveUpper(d16, box_1.high[r], box_2.high[r])};
-    for (size_t i = 0; i < 4; ++i)
-      sums.quarter[r][i] = hn::ReorderWidenMulAccumulate(di32, hn::BitCast(di16, deltas[i]),
-                                                         hn::BitCast(di16, boxes[i]), sums.quarter[r][i], unused);
-  }
-}
 
 // Runs the segments of chunks.
 class ChunkRunner {
@@ -425,30 +322,6 @@ HWY_AFTER_NAMESPACE();
 namespace texbake {
 
 HWY_EXPORT(AddGroupErrors);
-
-DistanceField::DistanceField(ImageView<const uint8_t> classes, const ClassDistances& distances)
-    : distances_(distances) {
-  const int group_end = (classes.width() + kGroupWidth - 1) / kGroupWidth * kGroupWidth;
-  const int rows = 2 * classes.height() + 2 * kMaskRadius + kGroupRows - 1;
-  stride_ = classes.width() + group_end + 2 * kMaskRadius;
-  plane_count_ = (distances.class_count + 15) / 16;
-  plane_size_ = static_cast<size_t>(stride_) * static_cast<size_t>(rows);
-  planes_.reserve(plane_size_ * static_cast<size_t>(plane_count_));
-  for (int k = 0; k < plane_count_; ++k)
-    for (int y = 0; y < rows; ++y)
-      for (int x = 0; x < stride_; ++x) {
-        const int class_idx = classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height()));
-        planes_.push_back(class_idx / 16 == k ? static_cast<uint8_t>(class_idx % 16) : uint8_t{128});
-      }
-  for (int y = 0; y < rows; ++y)
-    for (int x = 0; x < stride_; ++x)
-      classes_.push_back(classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height())));
-
-  for (int a = 0; a < distances.class_count; ++a)
-    for (int k = 0; k < plane_count_; ++k)
-      for (int b = 16 * k; b < 16 * k + 16; ++b)
-        tables_.push_back(b < distances.class_count ? distances.at(a, b) : uint8_t{0});
-}
 
 void add_group_errors(const BorderProgram& program, const std::vector<uint32_t>& order, const DistanceField& field,
                       const std::vector<int64_t>& limits, std::span<GroupSums> groups) {

@@ -6,6 +6,7 @@
 
 #include "libbake/color/luv.h"
 #include "libbake/content/choice.h"
+#include "libbake/content/choice_figures.h"
 #include "libbake/content/content_classes.h"
 #include "libbake/content/content_search.h"
 #include "libbake/content/pair_impact.h"
@@ -120,7 +121,7 @@ ContentSelection select_contents(const PrincipalVariation& colors, ImageView<con
       result.figures.computed_share =
           static_cast<double>(found.error_count) / static_cast<double>(found.all_error_count);
     candidates = std::move(found.candidates);
-    chosen = options.choice == Choice::balanced ? choose_balanced(candidates, wanted, luv, partition, options.seed)
+    chosen = options.choice == Choice::balanced ? choose_balanced(candidates, wanted, luv, partition.idx, options.seed)
                                                 : choose_least_impact(candidates, wanted);
   }
   result.table =
@@ -132,7 +133,7 @@ ContentSelection select_contents(const PrincipalVariation& colors, ImageView<con
   const PairImpact pairs = pair_impact(classes.idx, distances, partition.idx, translations);
   result.figures.mean_pair_impact = pairs.mean;
   result.figures.worst_pair_impact = pairs.worst;
-  const ChoiceFigures figures = choice_figures(translations, luv, partition);
+  const ChoiceFigures figures = choice_figures(translations, luv, partition.idx);
   result.figures.repetition_near = figures.repetition_near;
   result.figures.repetition_far = figures.repetition_far;
   result.figures.use_deviation = figures.use_deviation;

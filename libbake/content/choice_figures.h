@@ -1,0 +1,24 @@
+// Judges a choice of contents before anything is drawn.
+// Based on: quality measures of repetition from the contents alone, without rendering.
+#pragma once
+
+#include <vector>
+
+#include "libbake/base/image.h"
+#include "libbake/base/torus.h"
+
+namespace texbake {
+
+struct ChoiceFigures {
+  double repetition_near = 0;  ///< G predicted from the contents, σ = 0: 1 periodic, about 1/N_t at best
+  double repetition_far = 0;   ///< the same, σ = 1/16 of the tile's shorter side
+  double use_deviation = 0;    ///< standard deviation of how often a texel is used / its mean
+};
+
+/// G_σ = Σ_P Σ_{x∈P} |mean_c z_c(x)|² / Σ_P Σ_{x∈P} mean_c |z_c(x)|², where c runs over the contents of P, the identity
+/// among them, and z_c(x) is the low-passed colour at x + t_c less its mean over the tile. A tile of one colour has
+/// G = 0. `translations` holds those of each patch; `base_luv` is the base in CIELUV.
+ChoiceFigures choice_figures(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> base_luv,
+                             ImageView<const uint32_t> patch_idx);
+
+}  // namespace texbake
