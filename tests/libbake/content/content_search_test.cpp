@@ -62,6 +62,35 @@ INSTANTIATE_TEST_SUITE_P(Shapes, SearchOfRandomTiles,
                                            Shape{24, 24, 1, 3, 5, 8},                         // no contrast: all ties
                                            Shape{24, 24, 2, 3, 100, 9}));  // more than there is room for
 
+// The error sum of a translation, from the list of all of them.
+uint64_t error_sum(const Candidates& candidates, V2i t) {
+  const auto found = std::ranges::find(candidates, t, &Candidate::translation);
+  return found == candidates.end() ? UINT64_MAX : found->error_sum;
+}
+
+TEST(ContentSearch, SumsTheErrorsOfEquation3) {
+  // One texel of class 1, at column 8 of row 8, in a tile of class 0; patches are the left and the right half. The
+  // dilated border of patch 0 is columns 14, 15, 0, 1, 2 and 5 … 9, that of patch 1 is 6 … 10 and 13, 14, 15, 0, 1.
+  Image<uint8_t> classes(16, 16);
+  classes(8, 8) = 1;
+  Image<uint32_t> patches(16, 16);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 8; x < 16; ++x) patches(x, y) = 1;
+  const V3f colors[] = {{0, 0, 0}, {10, 0, 0}};
+  const SearchResult all = search({std::move(classes), class_distances(colors), std::move(patches), 2}, {255, 1});
+  constexpr uint64_t kSquare = 255 * 255;  // δ² where δ is not 0
+
+  // By 3 columns δ is not 0 at (8, 8) and (5, 8), which see each other: E = 2 δ² at both. (5, 8) is no texel of
+  // patch 1's border.
+  EXPECT_EQ(error_sum(all.candidates[0], {3, 0}), 4 * kSquare);
+  EXPECT_EQ(error_sum(all.candidates[1], {3, 0}), 2 * kSquare);
+  // By 4 columns (4, 8) is out of sight of (8, 8), and in no border: E = δ².
+  EXPECT_EQ(error_sum(all.candidates[0], {4, 0}), kSquare);
+  // By 3 and by 4 rows both texels lie in the border.
+  EXPECT_EQ(error_sum(all.candidates[0], {0, 3}), 4 * kSquare);
+  EXPECT_EQ(error_sum(all.candidates[0], {0, 4}), 2 * kSquare);
+}
+
 TEST(ContentSearch, IsTheSameForAnyNumberOfThreads) {
   const Tile tile = random_tile(64, 50, 6, 4, 9);
   const SearchRequest request{8, 6};

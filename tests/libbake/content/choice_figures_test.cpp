@@ -1,0 +1,55 @@
+#include "libbake/content/choice_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/libbake/content/content_twin.h"
+
+namespace texbake {
+namespace {
+
+constexpr int kSize = 128;
+
+Image<V3f> wave_along_x() {
+  Image<V3f> image(kSize, kSize);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      image(x, y) = V3f(40.0f, 5.0f, 10.0f * static_cast<float>(std::cos(2.0 * M_PI * x / kSize)));
+  return image;
+}
+
+TEST(ChoiceFigures, TheIdentityAloneIsPeriodicAndUsesEveryTexelOnce) {
+  const std::vector<std::vector<V2i>> translations(5, {V2i(0, 0)});
+  const ChoiceFigures figures = choice_figures(translations, wave_along_x(), twin::random_patches(kSize, kSize, 5, 1));
+  EXPECT_NEAR(figures.repetition_near, 1.0, 1e-12);
+  EXPECT_NEAR(figures.repetition_far, 1.0, 1e-12);
+  EXPECT_EQ(figures.use_deviation, 0.0);
+}
+
+TEST(ChoiceFigures, ContentsThatCancelLeaveNothingThatRepeats) {
+  const std::vector<std::vector<V2i>> translations(5, {V2i(0, 0), V2i(kSize / 2, 0)});
+  const ChoiceFigures figures = choice_figures(translations, wave_along_x(), twin::random_patches(kSize, kSize, 5, 1));
+  EXPECT_NEAR(figures.repetition_near, 0.0, 1e-9);
+  EXPECT_NEAR(figures.repetition_far, 0.0, 1e-9);
+}
+
+TEST(ChoiceFigures, HalfAPeriodOutOfPhaseRepeatsByHalf) {
+  // cos x and cos(x + π/2): the mean has half of the energy.
+  const std::vector<std::vector<V2i>> translations(1, {V2i(0, 0), V2i(kSize / 4, 0)});
+  const ChoiceFigures figures = choice_figures(translations, wave_along_x(), Image<uint32_t>(kSize, kSize));
+  EXPECT_NEAR(figures.repetition_near, 0.5, 1e-6);  // float sums
+  EXPECT_NEAR(figures.repetition_far, 0.5, 1e-6);
+}
+
+TEST(ChoiceFigures, UseDeviationCountsHowOftenTexelsAppear) {
+  // Left half 0, right half 1; both contents of 1 show the left half: its texels appear 2 + 2 times of a mean of 2.
+  Image<uint32_t> patches(kSize, kSize);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = kSize / 2; x < kSize; ++x) patches(x, y) = 1;
+  const std::vector<std::vector<V2i>> translations = {{V2i(0, 0), V2i(0, 5)}, {V2i(kSize / 2, 0), V2i(kSize / 2, 9)}};
+  EXPECT_NEAR(choice_figures(translations, wave_along_x(), patches).use_deviation, 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace texbake

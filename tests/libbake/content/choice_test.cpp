@@ -1,0 +1,130 @@
+#include "libbake/content/choice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "libbake/content/choice_figures.h"
+#include "tests/libbake/content/content_twin.h"
+
+namespace texbake {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+
+constexpr int kSize = 256;
+constexpr int kPatchCount = 9;
+
+// Grain on a slow wave along x and y: what a border cannot see and the eye sees from afar.
+Image<V3f> slow_waves() {
+  Image<V3f> image(kSize, kSize);
+  Random random(1);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      image(x, y) = V3f(50.0f + 15.0f * static_cast<float>(std::cos(2.0 * M_PI * x / kSize)) + 20.0f * random.uniform(),
+                        10.0f * static_cast<float>(std::sin(2.0 * M_PI * y / kSize)), 0.0f);
+  return image;
+}
+
+// Candidates of nearly equal impact, those near the identity's phase of the waves first: what least impact falls for.
+std::vector<Candidates> candidates_near_first() {
+  Candidates candidates;
+  for (int i = 0; i < 40; ++i) {
+    const int reach = 10 + 3 * i;
+    candidates.push_back({wrap(V2i(i % 2 ? reach : -reach, i % 3 ? reach : -reach), V2i(kSize, kSize)),
+                          1000u + static_cast<unsigned>(i)});
+  }
+  return std::vector<Candidates>(kPatchCount, candidates);
+}
+
+std::vector<std::vector<V2i>> translations(const std::vector<Candidates>& candidates, const ChosenCandidates& chosen) {
+  std::vector<std::vector<V2i>> result;
+  for (size_t patch = 0; patch < chosen.size(); ++patch) {
+    result.push_back({V2i(0, 0)});
+    for (const int number : chosen[patch])
+      result.back().push_back(candidates[patch][static_cast<size_t>(number)].translation);
+  }
+  return result;
+}
+
+TEST(Choice, LeastImpactTakesTheFirstCandidates) {
+  EXPECT_THAT(choose_least_impact(candidates_near_first(), 3), Each(ElementsAre(0, 1, 2)));
+}
+
+TEST(Choice, BalancedHidesTheGridThatLeastImpactKeeps) {
+  const Image<V3f> luv = slow_waves();
+  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  const auto candidates = candidates_near_first();
+  const auto least = choice_figures(translations(candidates, choose_least_impact(candidates, 4)), luv, patches);
+  const auto balanced =
+      choice_figures(translations(candidates, choose_balanced(candidates, 4, luv, patches, 1)), luv, patches);
+  EXPECT_GT(least.repetition_far, 0.6);
+  EXPECT_LT(balanced.repetition_far, 0.1);  // "good" of the quality measures
+}
+
+TEST(Choice, BalancedKeepsTheEnergyOfLargeShapes) {
+  // The waves seen through the contents have about the energy of the tile: they are not washed out.
+  const Image<V3f> luv = slow_waves();
+  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  const auto candidates = candidates_near_first();
+  const auto chosen = translations(candidates, choose_balanced(candidates, 4, luv, patches, 1));
+  double shown = 0.0, own = 0.0;
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      for (const V2i& t : chosen[patches(x, y)]) {
+        const auto wave = [](int px) { return std::pow(std::cos(2.0 * M_PI * px / kSize), 2); };
+        shown += wave(x + t.x);
+        own += wave(x);
+      }
+  EXPECT_NEAR(shown / own, 1.0, 0.15);
+}
+
+TEST(Choice, BalancedEvensOutTheUseOfTheExemplar) {
+  // A constant tile, and for each patch other candidates at random.
+  const Image<V3f> luv(kSize, kSize, V3f(50, 0, 0));
+  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  Random random(6);
+  std::vector<Candidates> candidates(kPatchCount);
+  for (Candidates& of_patch : candidates)
+    for (uint64_t i = 0; i < 40; ++i)
+      of_patch.push_back({V2i(static_cast<int>(random.below(kSize)), static_cast<int>(random.below(kSize))), 1000 + i});
+  const auto use = [&](const ChosenCandidates& chosen) {
+    return choice_figures(translations(candidates, chosen), luv, patches).use_deviation;
+  };
+  EXPECT_LT(use(choose_balanced(candidates, 4, luv, patches, 1)), 0.5 * use(choose_least_impact(candidates, 4)));
+}
+
+TEST(Choice, BalancedKeepsToLowImpactWhereTheRestIsEqual) {
+  // A constant tile: only use and impact speak. Half of the candidates have ten times the impact of the others.
+  auto candidates = candidates_near_first();
+  for (Candidates& of_patch : candidates)
+    for (size_t i = 20; i < 40; ++i) of_patch[i].error_sum = 10000;
+  const auto chosen = choose_balanced(candidates, 4, Image<V3f>(kSize, kSize, V3f(50, 0, 0)),
+                                      twin::random_patches(kSize, kSize, kPatchCount, 4), 1);
+  EXPECT_THAT(chosen, Each(Each(::testing::Lt(20))));
+}
+
+TEST(Choice, BalancedTakesDifferentCandidatesInOrderAndTheSameEveryTime) {
+  const Image<V3f> luv = slow_waves();
+  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  const auto candidates = candidates_near_first();
+  const auto chosen = choose_balanced(candidates, 4, luv, patches, 1);
+  for (const auto& numbers : chosen) {
+    EXPECT_EQ(std::set<int>(numbers.begin(), numbers.end()).size(), 4u);
+    EXPECT_TRUE(std::ranges::is_sorted(numbers));
+  }
+  EXPECT_EQ(choose_balanced(candidates, 4, luv, patches, 1), chosen);
+}
+
+TEST(Choice, TakesAllCandidatesWhereThereAreNoMore) {
+  auto candidates = candidates_near_first();
+  for (Candidates& of_patch : candidates) of_patch.resize(4);
+  EXPECT_THAT(choose_balanced(candidates, 4, slow_waves(), twin::random_patches(kSize, kSize, kPatchCount, 4), 1),
+              Each(ElementsAre(0, 1, 2, 3)));
+}
+
+}  // namespace
+}  // namespace texbake
