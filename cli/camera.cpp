@@ -97,7 +97,7 @@ Camera camera_of(const Json& json, const std::string& where) {
   reader.finish();
   try {
     check_options(camera.window);
-    parse_point("origin", camera.window.origin);
+    window_of(camera.window, {1, 1}, {1, 1});  // is it one in any tile?
     if (!fields.size.empty()) camera.frame_size = parse_size("size", fields.size);
   } catch (const Error& error) {
     throw Error(ErrorKind::bad_data, fmt::format("{}: {}", inside, error.what()));

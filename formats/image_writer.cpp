@@ -124,6 +124,13 @@ float stored_float(float value, SampleType type) {
   return type == SampleType::half ? std::clamp(value, -kLargestHalf, kLargestHalf) : value;
 }
 
+Image<float> first_channel(ImageView<const V3f> rows) {
+  Image<float> channel(rows.width(), rows.height());
+  for (int y = 0; y < rows.height(); ++y)
+    for (int x = 0; x < rows.width(); ++x) channel(x, y) = rows(x, y).x;
+  return channel;
+}
+
 }  // namespace
 
 struct PictureWriter::State {
@@ -220,7 +227,8 @@ PictureWriter::PictureWriter(PictureWriter&&) noexcept = default;
 PictureWriter& PictureWriter::operator=(PictureWriter&&) noexcept = default;
 
 void PictureWriter::write_rows(ImageView<const V3f> rows) {
-  assert(state_->format.channels == 3 && rows.width() == state_->format.width);
+  assert(rows.width() == state_->format.width);
+  if (state_->format.channels == 1) return write_rows(first_channel(rows));
   static_assert(sizeof(V3f) == 3 * sizeof(float));
   state_->write_rows(&rows.data()->x, rows.height());
 }

@@ -43,7 +43,8 @@ class PictureWriter {
   PictureWriter(PictureWriter&&) noexcept;
   PictureWriter& operator=(PictureWriter&&) noexcept;
 
-  /// The next `rows.height()` rows, `format.width` wide and not NaN; the view fits `format.channels`.
+  /// The next `rows.height()` rows, `format.width` wide and not NaN. Of colours a picture of one channel
+  /// takes the first; a view of floats is for one channel.
   void write_rows(ImageView<const V3f> rows);
   void write_rows(ImageView<const float> rows);
   /// All `format.height` rows have been written.

@@ -92,6 +92,24 @@ TEST_F(CommandLineJson, FailuresAreObjectsOfTheSchemaToo) {
   EXPECT_FALSE(verdict["result"]["issues"].empty());
 }
 
+TEST_F(CommandLineJson, ComparedFramesAndShadersAreObjectsOfTheSchema) {
+  const std::string bundle = at("a.texbundle"), camera = at("camera.json");
+  const json window = {{"window", {{"origin", {"-12", 7.5}}, {"seed", 3}, {"map", nullptr}, {"size", {24, 16}}}}};
+  EXPECT_EQ(faults("camera.schema.json", window), "");
+  EXPECT_NE(faults("camera.schema.json", {{"window", {{"sead", 3}}}}), "");
+  std::ofstream(camera) << window;
+  run("render " + bundle + " --origin -12,7.5 --seed 3 --size 24x16 -o " + at("frame.png"));
+  run("render " + bundle + " --origin -12,7.5 --seed 4 --size 24x16 -o " + at("other.exr"));
+  const std::string verify = "verify " + bundle + " --camera " + camera + " --frame ";
+  EXPECT_EQ(valid_output(verify + at("frame.png"), 0)["result"]["frame"]["equal"], true);
+  EXPECT_EQ(valid_output(verify + at("other.exr"), 1)["result"]["frame"]["samples"], "half");
+
+  const json drawn = json::parse(run("verify " + bundle + " --backend gl --windows 1 --json"));
+  EXPECT_EQ(faults("output.schema.json", drawn), "") << drawn;
+  if (drawn["exitCode"] == 5) GTEST_SKIP() << "no OpenGL: " << drawn["error"];
+  EXPECT_EQ(drawn["result"]["gl"].size(), 2u);
+}
+
 TEST_F(CommandLineJson, WarningsAreInTheObject) {
   const json output = valid_output("convert " + at("leaves.png") + " -o " + at("b.texbundle"), 0);
   EXPECT_THAT(output["warnings"].dump(), testing::HasSubstr("does not tile"));
