@@ -104,7 +104,7 @@ TEST(ContentSearch, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(ContentSearch, IsTheSameForAnyInstructionSet) {
-  const Tile tile = random_tile(64, 50, 20, 4, 10);
+  const Tile tile = random_tile(40, 22, 20, 3, 10);
   const SearchRequest request{8, 6};
   const SearchResult best = search(tile, request);
   for (int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
