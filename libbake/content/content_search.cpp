@@ -15,6 +15,26 @@ bool by_error(const Candidate& a, const Candidate& b) {
   return a.translation.x < b.translation.x;
 }
 
+// The translations that are not far enough from some others.
+class NearTranslations {
+ public:
+  NearTranslations(V2i size, int separation_px) : is_near_(size.x, size.y), separation_px_(separation_px) {}
+
+  void add(V2i t) {
+    const V2i size(is_near_.width(), is_near_.height());
+    const V2i reach(std::min(separation_px_ - 1, size.x / 2), std::min(separation_px_ - 1, size.y / 2));
+    for (int dy = -reach.y; dy <= reach.y; ++dy) {
+      uint8_t* row = is_near_.row(wrap(t.y + dy, size.y));
+      for (int dx = -reach.x; dx <= reach.x; ++dx) row[wrap(t.x + dx, size.x)] = 1;
+    }
+  }
+  bool contains(V2i t) const { return is_near_(t.x, t.y) != 0; }
+
+ private:
+  Image<uint8_t> is_near_;
+  int separation_px_;
+};
+
 }  // namespace
 
 bool far_enough(V2i a, V2i b, V2i size, int separation_px) {
@@ -24,15 +44,14 @@ bool far_enough(V2i a, V2i b, V2i size, int separation_px) {
 
 Candidates take_separated(Candidates found, V2i size, const SearchRequest& request) {
   std::sort(found.begin(), found.end(), by_error);
+  NearTranslations near(size, request.separation_px);
+  near.add({0, 0});
   Candidates taken;
   for (const Candidate& candidate : found) {
     if (taken.size() == static_cast<size_t>(request.count)) break;
-    const auto is_far = [&](V2i other) {
-      return far_enough(candidate.translation, other, size, request.separation_px);
-    };
-    if (is_far({0, 0}) &&
-        std::all_of(taken.begin(), taken.end(), [&](const Candidate& other) { return is_far(other.translation); }))
-      taken.push_back(candidate);
+    if (near.contains(candidate.translation)) continue;
+    near.add(candidate.translation);
+    taken.push_back(candidate);
   }
   return taken;
 }

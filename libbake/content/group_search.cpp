@@ -25,28 +25,29 @@ class Rounds {
         request_(request),
         open_(static_cast<size_t>(patch_count), 1),
         limits_(static_cast<size_t>(patch_count), kNoLimit),
-        found_(static_cast<size_t>(patch_count)) {}
+        found_(static_cast<size_t>(patch_count)),
+        taken_(static_cast<size_t>(patch_count)) {}
 
   void run(std::span<const GroupTask> tasks, const Progress& progress) {
     const size_t first = (tasks.size() / kFirstRoundShare / kBatch + 1) * kBatch;
     for (size_t begin = 0; begin < tasks.size();) {
       const size_t end = std::min(tasks.size(), std::max(first, 2 * begin));
       run_round(tasks.subspan(begin, end - begin));
-      learn_limits();
       begin = end;
-      report(progress, static_cast<double>(begin) / static_cast<double>(tasks.size()));
+      if (begin < tasks.size()) learn_limits();
+      if (attempts_ == 0) report(progress, static_cast<double>(begin) / static_cast<double>(tasks.size()));
     }
+    take_all();
   }
 
   // Opens again, with a wider limit, every patch whose limit proved too narrow. Whether there was one.
   bool widen() {
     bool any = false;
     for (size_t patch = 0; patch < open_.size(); ++patch) {
-      const size_t taken = take_separated(found_[patch], size_, request_).size();
-      open_[patch] = taken < static_cast<size_t>(request_.count) && limits_[patch] < kNoLimit;
+      if (!open_[patch]) continue;
+      open_[patch] = taken_[patch].size() < static_cast<size_t>(request_.count) && limits_[patch] < kNoLimit;
       if (!open_[patch]) continue;
       any = true;
-      found_[patch].clear();
       limits_[patch] = attempts_ < kWiderAttempts ? limits_[patch] + limits_[patch] / 2 + 1 : kNoLimit;
     }
     ++attempts_;
@@ -55,7 +56,7 @@ class Rounds {
 
   SearchResult result() const {
     SearchResult result;
-    for (const Candidates& found : found_) result.candidates.push_back(take_separated(found, size_, request_));
+    result.candidates = taken_;
     result.error_count = error_count_;
     return result;
   }
@@ -110,6 +111,14 @@ class Rounds {
     return found;
   }
 
+  void take_all() {
+    parallel_for(0, static_cast<int>(open_.size()), [&](int i) {
+      const auto patch = static_cast<size_t>(i);
+      if (open_[patch]) taken_[patch] = take_separated(std::move(found_[patch]), size_, request_);
+      found_[patch].clear();
+    });
+  }
+
   // A limit is the sum of the last candidate among those found so far. Of many a few more are required than asked for,
   // since a better translation found later may stand in the way of two.
   void learn_limits() {
@@ -135,7 +144,8 @@ class Rounds {
   SearchRequest request_;
   std::vector<uint8_t> open_;
   std::vector<int64_t> limits_;
-  std::vector<Candidates> found_;
+  std::vector<Candidates> found_;  // not beyond the limits, of the tasks so far
+  std::vector<Candidates> taken_;
   uint64_t error_count_ = 0;
   int attempts_ = 0;
 };
