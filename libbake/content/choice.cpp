@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "libbake/base/parallel.h"
@@ -77,7 +78,7 @@ class BalancedChoice {
  private:
   struct Addition {
     int number = 0;
-    double cost = INFINITY;
+    double cost = std::numeric_limits<double>::infinity();
   };
 
   V3f z(const PatchState& patch, int number, size_t cell) const {
@@ -148,7 +149,7 @@ class BalancedChoice {
 
   Addition best_addition(const PatchState& patch) const {
     const int numbers = static_cast<int>(patch.shifts.size());
-    std::vector<double> costs(static_cast<size_t>(numbers), INFINITY);
+    std::vector<double> costs(static_cast<size_t>(numbers), Addition{}.cost);
     parallel_for(1, numbers, [&](int number) {
       if (std::find(patch.chosen.begin(), patch.chosen.end(), number) == patch.chosen.end())
         costs[static_cast<size_t>(number)] = cost_of(patch, number);

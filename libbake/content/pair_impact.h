@@ -16,8 +16,8 @@ struct PairImpact {
 };
 
 /// E of eq. 3 with δ(p) = ‖C(p + t_a) − C(p + t_b)‖², a the content of the one patch and b of the other, averaged over
-/// the texels of the two patches within 2 texels of their common border. For b the identity, and a border with one
-/// neighbour only, this is eq. 2. `translations` holds, for each patch, those of its contents; none is turned.
+/// the texels of the two patches within 2 texels of the border texels of either: where b is the identity, eq. 2 on a
+/// border one texel wider. `translations` holds, for each patch, those of its contents; none is turned.
 PairImpact pair_impact(ImageView<const uint8_t> classes, const ClassDistances& distances,
                        ImageView<const uint32_t> patch_idx, const std::vector<std::vector<V2i>>& translations);
 

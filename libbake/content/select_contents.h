@@ -58,7 +58,7 @@ struct SelectContentsOptions {
                                     .min = 1,
                                     .max = 4096,
                                     .help = "least distance of candidates from the identity and from each other",
-                                    .auto_help = "1/32 of the tile's shorter side"});
+                                    .auto_help = "1/16 of the tile's shorter side"});
     visit(self.choice, Field{.name = "choice", .help = "impact: the least impact; balanced: no grid from afar"});
     visit(self.search, Field{.name = "search",
                              .help = "exact: all translations; refined: at reduced size first",

@@ -20,7 +20,7 @@ struct Tile {
         distances(class_distances(twin::random_colors(kClassCount, 1))),
         patches(twin::random_patches(side, side, kPatchCount, 1)),
         borders(patch_borders(patches, kPatchCount)),
-        request{60, side / 32} {}
+        request{60, side / 16} {}
 
   Image<uint8_t> classes;
   ClassDistances distances;

@@ -125,7 +125,7 @@ TEST(SelectContents, ProgressNeverFallsAndEndsAtOne) {
 TEST(SelectContents, ResolvesWhatIsNotGivenFromTheTile) {
   const SelectContentsOptions at_512 = resolve({}, 512, 768);
   EXPECT_EQ(at_512.candidates, 60);
-  EXPECT_EQ(at_512.separation_px, 16);
+  EXPECT_EQ(at_512.separation_px, 32);
   EXPECT_EQ(at_512.search, Search::exact);
   EXPECT_EQ(resolve({}, 2048, 512).search, Search::refined);
   SelectContentsOptions impact;
