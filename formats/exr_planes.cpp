@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "formats/exr_header.h"
 #include "formats/limits.h"
 #include "formats/sha256.h"
 
@@ -173,6 +174,10 @@ ExrReader::ExrReader(const std::filesystem::path& path, IssueLog& log) : file_(s
     return;
   }
   file_->bytes = std::filesystem::file_size(path, failed);
+  if (const std::string fault = exr_header_fault(path); !fault.empty()) {
+    log.add({IssueId::exr_unreadable, file_->place(), fmt::format("expected OpenEXR headers, found {}", fault)});
+    return;
+  }
   try {
     file_->input =
         std::make_unique<Imf::MultiPartInputFile>(path.c_str(), use_threads(), /*reconstructChunkOffsetTable=*/false);

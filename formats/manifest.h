@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/asset.h"
 #include "formats/bundle.h"
 #include "formats/exr_planes.h"
 #include "formats/issues.h"
@@ -49,11 +50,6 @@ struct Manifest {
   std::vector<V2i> sizes;               ///< of each scale
   std::vector<size_t> fragment_counts;  ///< of each scale; the tables wait for their planes
   std::vector<PlaneRefs> refs;          ///< of each scale
-};
-
-enum class Semantics {
-  known,  ///< refuse a number this build does not know
-  any,    ///< for programs that only list what a bundle holds
 };
 
 /// Checks versions, then the schema, then what the schema cannot say. A scale with errors has no refs.

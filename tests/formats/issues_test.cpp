@@ -35,8 +35,13 @@ TEST(Issues, NumbersRiseAndNamesDiffer) {
 }
 
 TEST(Issues, TheTextSaysWhatWhereAndHowToMend) {
-  const Issue issue{
-      IssueId::height_range, {.file = "a.exr", .part = "height", .texel = V2i(3, 4)}, "expected 0 to 1, found 2", 7};
+  Issue issue;
+  issue.id = IssueId::height_range;
+  issue.where.file = "a.exr";
+  issue.where.part = "height";
+  issue.where.texel = V2i(3, 4);
+  issue.detail = "expected 0 to 1, found 2";
+  issue.count = 7;
   EXPECT_EQ(text(issue),
             "error 407 height-range at a.exr, part height, texel (3, 4): expected 0 to 1, found 2 (7 times); bake the "
             "bundle again from its sources");

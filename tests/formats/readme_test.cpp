@@ -89,10 +89,14 @@ TEST_F(Readme, TheFileIsNamedByItsContentHash) {
     last = plane["part"];
     const Pixels pixels = read_pixels(path_, plane);
     std::string channels;
-    for (const auto& channel : plane["channels"])
-      channels += (channels.empty() ? "" : ",") + channel.get<std::string>();
-    lines += last + " " + std::to_string(pixels.width) + " " + std::to_string(pixels.height) + " " +
-             plane["type"].get<std::string>() + " " + channels + " " + plane["pixelHash"].get<std::string>() + "\n";
+    for (const auto& channel : plane["channels"]) {
+      if (!channels.empty()) channels += ',';
+      channels += channel.get<std::string>();
+    }
+    std::ostringstream line;
+    line << last << ' ' << pixels.width << ' ' << pixels.height << ' ' << plane["type"].get<std::string>() << ' '
+         << channels << ' ' << plane["pixelHash"].get<std::string>() << '\n';
+    lines += line.str();
   }
   EXPECT_EQ(payload_of(path_).filename().string(), "fine-" + sha256(lines).substr(0, 12) + ".exr");
 }

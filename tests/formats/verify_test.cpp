@@ -291,10 +291,21 @@ std::vector<Fault> all_faults() {
   return all;
 }
 
+/// A copy of a sound bundle that is written once.
+void copy_sound(const fs::path& path) {
+  static const TemporaryFolder folder;
+  if (fs::is_empty(folder.path())) write_bundle(bundle_with_everything(), folder / "a.texbundle");
+  fs::copy(folder / "a.texbundle", path);
+}
+
 void write_spoiled(const Fault& fault, const fs::path& path) {
-  Bundle bundle = bundle_with_everything();
-  if (fault.bundle) fault.bundle(bundle);
-  write_bundle(bundle, path);
+  if (fault.bundle) {
+    Bundle bundle = bundle_with_everything();
+    fault.bundle(bundle);
+    write_bundle(bundle, path);
+  } else {
+    copy_sound(path);
+  }
   Json manifest = manifest_at(path);
   if (fault.manifest) fault.manifest(manifest);
   write_text(path / "bundle.json", print_json(manifest));
@@ -410,7 +421,7 @@ TEST(Verify, AFlippedByteInThePayloadIsFoundOrHarmlessAndNeverACrash) {
   const fs::path payload = payload_of(folder / "a.texbundle");
   const std::string whole = file_text(payload);
   Random random(3);
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 80; ++round) {
     const size_t at = random.below(round % 2 ? 3000 : static_cast<uint32_t>(whole.size()));
     std::string spoiled = whole;
     spoiled[at] = static_cast<char>(spoiled[at] ^ (1 << random.below(8)));
