@@ -116,7 +116,12 @@ void hash(benchmark::State& state) {
 }
 
 #define TEXBAKE_BUNDLE_BENCH(function) \
-  BENCHMARK(function)->Args({1024, 3})->Args({4096, 0})->Unit(benchmark::kMillisecond)->UseRealTime()
+  BENCHMARK(function)                  \
+      ->Args({1024, 3})                \
+      ->Args({4096, 0})                \
+      ->Unit(benchmark::kMillisecond)  \
+      ->MeasureProcessCPUTime()        \
+      ->UseRealTime()
 TEXBAKE_BUNDLE_BENCH(write_new);
 TEXBAKE_BUNDLE_BENCH(write_again);
 TEXBAKE_BUNDLE_BENCH(read);
