@@ -105,7 +105,9 @@ void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, C
   const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
   const PatchMap& patches = required(scale.patches, "patches", "patch");
   RunningStage stage(bundle, "select-contents", console);
-  ContentSelection selection = select_contents(colors, scale.base(), patches, options, stage.progress());
+  const SelectContentsOptions suited =
+      scale.structure && options.search != Search::exact ? deforming(options) : options;
+  ContentSelection selection = select_contents(colors, scale.base(), patches, suited, stage.progress());
   scale.contents = std::move(selection.table);
   stage.finish(parameters_of(options, selection.effective), content_figures(selection.figures));
 }

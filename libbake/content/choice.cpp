@@ -3,48 +3,55 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/base/random.h"
 #include "libbake/content/low_passed.h"
+#include "libbake/content/shown_source.h"
 
 namespace texbake {
 namespace {
 
 constexpr int kMaxPasses = 12;
 
-// Cells whose middle texel belongs to each patch.
-std::vector<std::vector<V2i>> cells_of_patches(ImageView<const uint32_t> patch_idx, size_t patch_count,
-                                               const LowPassed& low) {
-  std::vector<std::vector<V2i>> cells(patch_count);
-  for (int y = 0; y < low.cells().y; ++y)
-    for (int x = 0; x < low.cells().x; ++x) {
-      const V2i p = low.middle_px({x, y});
-      cells[patch_idx(p.x, p.y)].emplace_back(x, y);
-    }
-  return cells;
-}
-
 // Everything that the balanced choice knows of one patch. Content numbers: 0 is the identity, 1 + i is candidate i.
 struct PatchState {
-  std::vector<V2i> cells;
-  std::vector<V2i> shifts;       // in cells, of every content number
-  std::vector<double> energies;  // Σ_x |z|² of every content number
-  std::vector<double> impacts;   // relative to the mean over the candidates
-  std::vector<int> chosen;       // content numbers, the identity first
-  std::vector<V3f> sum;          // Σ_c z_c(x) over the chosen
-  double energy_sum = 0;         // Σ_c Σ_x |z_c|²
+  std::vector<V2i> middles_px;               // of the cells whose middle texel belongs to the patch
+  std::vector<std::vector<uint32_t>> cells;  // that show there, with every content number
+  std::vector<std::vector<V3f>> colors;      // z_c of the cells
+  std::vector<double> energies;              // Σ_x |z|² of every content number
+  std::vector<double> impacts;               // relative to the mean over the candidates
+  std::vector<int> chosen;                   // content numbers, the identity first
+  std::vector<V3f> sum;                      // Σ_c z_c(x) over the chosen
+  double energy_sum = 0;                     // Σ_c Σ_x |z_c|²
 };
 
 class BalancedChoice {
  public:
-  BalancedChoice(const std::vector<Candidates>& candidates, ImageView<const V3f> luv,
-                 ImageView<const uint32_t> patch_idx, const ChoiceWeights& weights)
-      : low_(low_passed(luv)), weights_(weights), use_(low_.color.width(), low_.color.height()) {
-    const auto cells = cells_of_patches(patch_idx, candidates.size(), low_);
-    for (size_t p = 0; p < candidates.size(); ++p) patches_.push_back(make_patch(cells[p], candidates[p]));
+  BalancedChoice(const ContentCandidates& candidates, ImageView<const V3f> luv, const Partition& patches,
+                 const ChoiceWeights& weights)
+      : low_(low_passed(luv)), weights_(weights), use_(low_.color.size(), 0), patches_(candidates.size()) {
+    for (int y = 0; y < low_.grid.cells.y; ++y)
+      for (int x = 0; x < low_.grid.cells.x; ++x) {
+        const V2i p = low_.grid.middle_px({x, y});
+        patches_[patches.idx(p.x, p.y)].middles_px.push_back(p);
+      }
+    std::map<float, LowPassed> low_of_scale;
+    for (size_t p = 0; p < candidates.size(); ++p) {
+      PatchState& patch = patches_[p];
+      patch.sum.assign(patch.middles_px.size(), V3f(0));
+      add_number(patches, static_cast<uint32_t>(p), Content{}, low_);
+      for (const Content& candidate : candidates[p]) {
+        auto low = low_of_scale.find(candidate.scale);
+        if (low == low_of_scale.end())
+          low = low_of_scale.emplace(candidate.scale, low_passed(luv, candidate.scale)).first;
+        add_number(patches, static_cast<uint32_t>(p), candidate, low->second);
+      }
+      find_impacts(candidates[p], patch);
+    }
   }
 
   ChosenCandidates choose(int wanted, uint32_t seed) {
@@ -81,47 +88,44 @@ class BalancedChoice {
     double cost = std::numeric_limits<double>::infinity();
   };
 
-  V3f z(const PatchState& patch, int number, size_t cell) const {
-    const V2i p = wrap(patch.cells[cell] + patch.shifts[static_cast<size_t>(number)], low_.cells());
-    return low_.color(p.x, p.y);
+  void add_number(const Partition& patches, uint32_t idx, const Content& content, const LowPassed& low) {
+    PatchState& patch = patches_[idx];
+    std::vector<uint32_t>& cells = patch.cells.emplace_back();
+    std::vector<V3f>& colors = patch.colors.emplace_back();
+    double energy = 0.0;
+    for (const V2i& p : patch.middles_px) {
+      const V2i source = shown_source(patches, idx, p, content);
+      const V2i cell = low.grid.cell_of(source);
+      cells.push_back(static_cast<uint32_t>(cell.y * low.grid.cells.x + cell.x));
+      colors.push_back(low.at(source));
+      energy += static_cast<double>(colors.back().length2());
+    }
+    patch.energies.push_back(energy);
   }
 
-  PatchState make_patch(const std::vector<V2i>& cells, const Candidates& candidates) const {
-    PatchState patch;
-    patch.cells = cells;
-    patch.sum.assign(cells.size(), V3f(0));
-    patch.shifts.emplace_back(0, 0);
-    patch.impacts.push_back(0.0);
+  static void find_impacts(const std::vector<Content>& candidates, PatchState& patch) {
     double mean = 0.0;
-    for (const Candidate& candidate : candidates)
-      mean += static_cast<double>(candidate.error_sum) / static_cast<double>(candidates.size());
-    for (const Candidate& candidate : candidates) {
-      patch.shifts.push_back(low_.shift(candidate.translation));
-      patch.impacts.push_back(mean > 0.0 ? static_cast<double>(candidate.error_sum) / mean : 0.0);
-    }
-    for (int number = 0; number < static_cast<int>(patch.shifts.size()); ++number) {
-      double energy = 0.0;
-      for (size_t i = 0; i < cells.size(); ++i) energy += static_cast<double>(z(patch, number, i).length2());
-      patch.energies.push_back(energy);
-    }
-    return patch;
+    for (const Content& candidate : candidates)
+      mean += static_cast<double>(candidate.impact) / static_cast<double>(candidates.size());
+    patch.impacts.push_back(0.0);
+    for (const Content& candidate : candidates)
+      patch.impacts.push_back(mean > 0.0 ? static_cast<double>(candidate.impact) / mean : 0.0);
   }
 
   void count_use(const PatchState& patch, int number, int change) {
-    for (const V2i& cell : patch.cells) {
-      const V2i p = wrap(cell + patch.shifts[static_cast<size_t>(number)], low_.cells());
-      use_(p.x, p.y) += change;
-    }
+    for (const uint32_t cell : patch.cells[static_cast<size_t>(number)]) use_[cell] += change;
   }
   void add(PatchState& patch, int number) {
     patch.chosen.push_back(number);
-    for (size_t i = 0; i < patch.cells.size(); ++i) patch.sum[i] += z(patch, number, i);
+    const std::vector<V3f>& z = patch.colors[static_cast<size_t>(number)];
+    for (size_t i = 0; i < z.size(); ++i) patch.sum[i] += z[i];
     patch.energy_sum += patch.energies[static_cast<size_t>(number)];
     count_use(patch, number, 1);
   }
   void remove(PatchState& patch, int number) {
     patch.chosen.erase(std::find(patch.chosen.begin(), patch.chosen.end(), number));
-    for (size_t i = 0; i < patch.cells.size(); ++i) patch.sum[i] -= z(patch, number, i);
+    const std::vector<V3f>& z = patch.colors[static_cast<size_t>(number)];
+    for (size_t i = 0; i < z.size(); ++i) patch.sum[i] -= z[i];
     patch.energy_sum -= patch.energies[static_cast<size_t>(number)];
     count_use(patch, number, -1);
   }
@@ -131,24 +135,24 @@ class BalancedChoice {
     const auto count = static_cast<double>(patch.chosen.size() + 1);
     double mean_energy = 0.0;
     double use = 0.0;
-    for (size_t i = 0; i < patch.cells.size(); ++i) {
-      mean_energy += static_cast<double>((patch.sum[i] + z(patch, number, i)).length2());
-      const V2i p = wrap(patch.cells[i] + patch.shifts[static_cast<size_t>(number)], low_.cells());
-      // (u + 1 − m)² − (u − m)²
-      use += 2.0 * (static_cast<double>(use_(p.x, p.y)) - mean_use_) + 1.0;
+    const std::vector<V3f>& z = patch.colors[static_cast<size_t>(number)];
+    const std::vector<uint32_t>& cells = patch.cells[static_cast<size_t>(number)];
+    for (size_t i = 0; i < z.size(); ++i) {
+      mean_energy += static_cast<double>((patch.sum[i] + z[i]).length2());
+      use += 2.0 * (static_cast<double>(use_[cells[i]]) - mean_use_) + 1.0;  // (u + 1 − m)² − (u − m)²
     }
     mean_energy /= count * count;
     const double energy = (patch.energy_sum + patch.energies[static_cast<size_t>(number)]) / count;
-    const double tile_energy = low_.energy * static_cast<double>(patch.cells.size());
+    const double tile_energy = low_.energy * static_cast<double>(z.size());
     double cost = weights_.impact * patch.impacts[static_cast<size_t>(number)];
     if (energy > 0.0 && tile_energy > 0.0)
       cost += mean_energy / energy + 0.5 * std::fabs(portable_log(energy / tile_energy));
-    const auto cells = static_cast<double>(use_.size());
-    return cost + weights_.use * static_cast<double>(patches_.size()) * use / (cells * mean_use_ * mean_use_);
+    const auto places = static_cast<double>(use_.size());
+    return cost + weights_.use * static_cast<double>(patches_.size()) * use / (places * mean_use_ * mean_use_);
   }
 
   Addition best_addition(const PatchState& patch) const {
-    const int numbers = static_cast<int>(patch.shifts.size());
+    const int numbers = static_cast<int>(patch.cells.size());
     std::vector<double> costs(static_cast<size_t>(numbers), Addition{}.cost);
     parallel_for(1, numbers, [&](int number) {
       if (std::find(patch.chosen.begin(), patch.chosen.end(), number) == patch.chosen.end())
@@ -178,22 +182,22 @@ class BalancedChoice {
 
   LowPassed low_;
   ChoiceWeights weights_;
+  std::vector<int> use_;  // of each cell
   std::vector<PatchState> patches_;
-  Image<int> use_;
   double mean_use_ = 1;
 };
 
 }  // namespace
 
-ChosenCandidates choose_least_impact(const std::vector<Candidates>& candidates, int wanted) {
+ChosenCandidates choose_least_impact(const ContentCandidates& candidates, int wanted) {
   std::vector<int> first(static_cast<size_t>(wanted));
   std::iota(first.begin(), first.end(), 0);
   return ChosenCandidates(candidates.size(), first);
 }
 
-ChosenCandidates choose_balanced(const std::vector<Candidates>& candidates, int wanted, ImageView<const V3f> base_luv,
-                                 ImageView<const uint32_t> patch_idx, uint32_t seed, const ChoiceWeights& weights) {
-  return BalancedChoice(candidates, base_luv, patch_idx, weights).choose(wanted, seed);
+ChosenCandidates choose_balanced(const ContentCandidates& candidates, int wanted, ImageView<const V3f> base_luv,
+                                 const Partition& patches, uint32_t seed, const ChoiceWeights& weights) {
+  return BalancedChoice(candidates, base_luv, patches, weights).choose(wanted, seed);
 }
 
 }  // namespace texbake

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "libbake/content/content_search.h"
+#include "libbake/base/image.h"
+#include "libbake/content/content.h"
+#include "libbake/segment/partition.h"
 
 namespace texbake {
 
@@ -16,11 +18,14 @@ struct ChoiceWeights {
   double impact = 0.2;  ///< of a content's impact relative to the mean of its patch's candidates
 };
 
+/// For each patch the contents to choose from, the identity apart, least impact first.
+using ContentCandidates = std::vector<std::vector<Content>>;
+
 /// For each patch the numbers of its chosen candidates, `wanted` of them.
 using ChosenCandidates = std::vector<std::vector<int>>;
 
 /// The first `wanted` candidates of each patch: the least impact.
-ChosenCandidates choose_least_impact(const std::vector<Candidates>& candidates, int wanted);
+ChosenCandidates choose_least_impact(const ContentCandidates& candidates, int wanted);
 
 /// Balanced: minimises, over all patches together,
 ///   Σ_P [ |mean_c z_c|² / mean_c |z_c|²  +  ½ |log(mean_c |z_c|² / tile energy)|  +  impact · Σ_c I_c / mean I ]
@@ -28,7 +33,7 @@ ChosenCandidates choose_least_impact(const std::vector<Candidates>& candidates, 
 /// where c runs over the identity and the chosen contents and z_c is what the patch shows with c, low-passed by 1/16 of
 /// the tile's smaller side, less the tile's mean. Starts greedily and then exchanges one content at a time, patches in
 /// an order drawn from `seed`, until nothing improves. `base_luv` is the base in CIELUV.
-ChosenCandidates choose_balanced(const std::vector<Candidates>& candidates, int wanted, ImageView<const V3f> base_luv,
-                                 ImageView<const uint32_t> patch_idx, uint32_t seed, const ChoiceWeights& weights = {});
+ChosenCandidates choose_balanced(const ContentCandidates& candidates, int wanted, ImageView<const V3f> base_luv,
+                                 const Partition& patches, uint32_t seed, const ChoiceWeights& weights = {});
 
 }  // namespace texbake

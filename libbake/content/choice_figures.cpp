@@ -2,85 +2,95 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "libbake/base/parallel.h"
 #include "libbake/content/low_passed.h"
+#include "libbake/content/shown_source.h"
 
 namespace texbake {
 namespace {
 
-// The two sums of G over a row.
-struct RowSums {
+// The two sums of G.
+struct GSums {
   double shared = 0;
   double all = 0;
+
+  double repetition() const { return all > 0.0 ? shared / all : 0.0; }
 };
 
-// G of an image whose mean is `mean`.
-double repetition(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> image, V3f mean,
-                  ImageView<const uint32_t> patch_idx) {
-  const V2i size(image.width(), image.height());
-  std::vector<RowSums> rows(static_cast<size_t>(size.y));
-  parallel_for(0, size.y, [&](int y) {
-    RowSums& row = rows[static_cast<size_t>(y)];
-    for (int x = 0; x < size.x; ++x) {
-      const auto& contents = translations[patch_idx(x, y)];
-      V3f sum(0);
-      double energy = 0.0;
-      for (const V2i& t : contents) {
-        const V2i q = wrap(V2i(x, y) + t, size);
-        const V3f z = image(q.x, q.y) - mean;
-        sum += z;
-        energy += static_cast<double>(z.length2());
-      }
-      const auto n = static_cast<double>(contents.size());
-      row.shared += static_cast<double>(sum.length2()) / (n * n);
-      row.all += energy / n;
-    }
-  });
-  RowSums total;
-  for (const RowSums& row : rows) {
-    total.shared += row.shared;
-    total.all += row.all;
+// Adds what the colours `z` that show at one place with the contents of its patch contribute.
+template <class ColorOf>
+void add_place(std::span<const Content> contents, const ColorOf& color_of, GSums& sums) {
+  V3f sum(0);
+  double energy = 0.0;
+  for (const Content& content : contents) {
+    const V3f z = color_of(content);
+    sum += z;
+    energy += static_cast<double>(z.length2());
   }
-  return total.all > 0.0 ? total.shared / total.all : 0.0;
+  const auto n = static_cast<double>(contents.size());
+  sums.shared += static_cast<double>(sum.length2()) / (n * n);
+  sums.all += energy / n;
 }
 
-double repetition_near(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> luv,
-                       ImageView<const uint32_t> patch_idx) {
+V3f mean_of(ImageView<const V3f> luv) {
   double mean[3] = {};
   for (const V3f& c : luv)
     for (int i = 0; i < 3; ++i) mean[i] += static_cast<double>(c[i]) / static_cast<double>(luv.size());
-  return repetition(translations, luv,
-                    {static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2])}, patch_idx);
+  return {static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2])};
+}
+
+double repetition_near(const ContentTable& table, ImageView<const V3f> luv, const Partition& patches) {
+  const V3f mean = mean_of(luv);
+  std::vector<GSums> rows(static_cast<size_t>(luv.height()));
+  parallel_for(0, luv.height(), [&](int y) {
+    for (int x = 0; x < luv.width(); ++x) {
+      const uint32_t patch = patches.idx(x, y);
+      const auto color_of = [&](const Content& content) {
+        const V2i source = shown_source(patches, patch, {x, y}, content);
+        return luv(source.x, source.y) - mean;
+      };
+      add_place(table.of(static_cast<int>(patch)), color_of, rows[static_cast<size_t>(y)]);
+    }
+  });
+  GSums total;
+  for (const GSums& row : rows) {
+    total.shared += row.shared;
+    total.all += row.all;
+  }
+  return total.repetition();
 }
 
 // On the cells of the low-passed tile.
-double repetition_far(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> luv,
-                      ImageView<const uint32_t> patch_idx) {
-  const LowPassed low = low_passed(luv);
-  Image<uint32_t> patch_of_cell(low.cells().x, low.cells().y);
-  for (int y = 0; y < low.cells().y; ++y)
-    for (int x = 0; x < low.cells().x; ++x) {
-      const V2i p = low.middle_px({x, y});
-      patch_of_cell(x, y) = patch_idx(p.x, p.y);
+double repetition_far(const ContentTable& table, ImageView<const V3f> luv, const Partition& patches) {
+  std::map<float, LowPassed> low_of_scale;
+  for (const Content& content : table.contents)
+    if (!low_of_scale.contains(content.scale)) low_of_scale.emplace(content.scale, low_passed(luv, content.scale));
+  const CellGrid grid = low_of_scale.at(1.0f).grid;  // that of the identity, and of all
+  GSums sums;
+  for (int y = 0; y < grid.cells.y; ++y)
+    for (int x = 0; x < grid.cells.x; ++x) {
+      const V2i p = grid.middle_px({x, y});
+      const uint32_t patch = patches.idx(p.x, p.y);
+      const auto color_of = [&](const Content& content) {
+        return low_of_scale.at(content.scale).at(shown_source(patches, patch, p, content));
+      };
+      add_place(table.of(static_cast<int>(patch)), color_of, sums);
     }
-  std::vector<std::vector<V2i>> shifts;
-  for (const auto& contents : translations) {
-    shifts.emplace_back();
-    for (const V2i& t : contents) shifts.back().push_back(low.shift(t));
-  }
-  return repetition(shifts, low.color, V3f(0), patch_of_cell);
+  return sums.repetition();
 }
 
-double use_deviation(const std::vector<std::vector<V2i>>& translations, ImageView<const uint32_t> patch_idx) {
-  const V2i size(patch_idx.width(), patch_idx.height());
-  Image<int> use(size.x, size.y);
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      for (const V2i& t : translations[patch_idx(x, y)]) {
-        const V2i q = wrap(V2i(x, y) + t, size);
-        ++use(q.x, q.y);
+double use_deviation(const ContentTable& table, const Partition& patches) {
+  Image<int> use(patches.size().x, patches.size().y);
+  for (int y = 0; y < use.height(); ++y)
+    for (int x = 0; x < use.width(); ++x) {
+      const uint32_t patch = patches.idx(x, y);
+      for (const Content& content : table.of(static_cast<int>(patch))) {
+        const V2i source = shown_source(patches, patch, {x, y}, content);
+        ++use(source.x, source.y);
       }
+    }
   double sum = 0.0, squares = 0.0;
   for (const int u : use) {
     sum += u;
@@ -92,10 +102,9 @@ double use_deviation(const std::vector<std::vector<V2i>>& translations, ImageVie
 
 }  // namespace
 
-ChoiceFigures choice_figures(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> base_luv,
-                             ImageView<const uint32_t> patch_idx) {
-  return {repetition_near(translations, base_luv, patch_idx), repetition_far(translations, base_luv, patch_idx),
-          use_deviation(translations, patch_idx)};
+ChoiceFigures choice_figures(const ContentTable& table, ImageView<const V3f> base_luv, const Partition& patches) {
+  return {repetition_near(table, base_luv, patches), repetition_far(table, base_luv, patches),
+          use_deviation(table, patches)};
 }
 
 }  // namespace texbake

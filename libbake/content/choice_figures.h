@@ -2,10 +2,9 @@
 // Based on: quality measures of repetition from the contents alone, without rendering.
 #pragma once
 
-#include <vector>
-
 #include "libbake/base/image.h"
-#include "libbake/base/torus.h"
+#include "libbake/content/content.h"
+#include "libbake/segment/partition.h"
 
 namespace texbake {
 
@@ -16,9 +15,8 @@ struct ChoiceFigures {
 };
 
 /// G_σ = Σ_P Σ_{x∈P} |mean_c z_c(x)|² / Σ_P Σ_{x∈P} mean_c |z_c(x)|², where c runs over the contents of P, the identity
-/// among them, and z_c(x) is the low-passed colour at x + t_c less its mean over the tile. A tile of one colour has
-/// G = 0. `translations` holds those of each patch; `base_luv` is the base in CIELUV.
-ChoiceFigures choice_figures(const std::vector<std::vector<V2i>>& translations, ImageView<const V3f> base_luv,
-                             ImageView<const uint32_t> patch_idx);
+/// among them, and z_c(x) is the colour at the source of x, low-passed as it is seen there, less its mean over the
+/// tile. A tile of one colour has G = 0. `base_luv` is the base in CIELUV.
+ChoiceFigures choice_figures(const ContentTable& table, ImageView<const V3f> base_luv, const Partition& patches);
 
 }  // namespace texbake

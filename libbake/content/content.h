@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "libbake/base/torus.h"
@@ -22,6 +23,17 @@ struct Content {
   bool operator==(const Content&) const = default;
 };
 
+/// The content turned by `rotation_eighths` · π/4 and `scale` times its size, of impact 0.
+Content make_content(V2i translation, int rotation_eighths, float scale);
+
+/// Where a content takes the texel at offset `d` from the centre of its patch from, for labels: the nearest texel,
+/// relative to the centre too, not wrapped. The same as turned_source in shaders/content.glsl.
+inline V2i source_offset(const Content& content, V2i d) {
+  const auto nearest = [](int64_t fixed) { return static_cast<int>((fixed + 32768) >> 16); };
+  const auto a = int64_t{content.a}, b = int64_t{content.b};
+  return content.translation + V2i(nearest(a * d.x - b * d.y), nearest(b * d.x + a * d.y));
+}
+
 /// P × N_t contents. Content 0 of every patch is the identity.
 struct ContentTable {
   int patch_count = 0;
@@ -30,6 +42,11 @@ struct ContentTable {
 
   const Content& at(int patch, int content) const {
     return contents[static_cast<size_t>(patch) * static_cast<size_t>(content_count) + static_cast<size_t>(content)];
+  }
+  /// Those of one patch.
+  std::span<const Content> of(int patch) const {
+    return {contents.data() + static_cast<size_t>(patch) * static_cast<size_t>(content_count),
+            static_cast<size_t>(content_count)};
   }
 };
 

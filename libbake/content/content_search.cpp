@@ -12,7 +12,8 @@ namespace {
 bool by_error(const Candidate& a, const Candidate& b) {
   if (a.error_sum != b.error_sum) return a.error_sum < b.error_sum;
   if (a.translation.y != b.translation.y) return a.translation.y < b.translation.y;
-  return a.translation.x < b.translation.x;
+  if (a.translation.x != b.translation.x) return a.translation.x < b.translation.x;
+  return a.turn < b.turn;
 }
 
 // The translations that are not far enough from some others.

@@ -15,10 +15,11 @@ namespace texbake {
 struct Candidate {
   V2i translation{0, 0};   ///< 0 … size−1
   uint64_t error_sum = 0;  ///< Σ E over dil(∂P), in squared distance steps
+  int turn = 0;            ///< with which of the turns of the search, see turned_search.h
   bool operator==(const Candidate&) const = default;
 };
 
-/// The candidates of one patch, least error first; among equals the least (y, x) first.
+/// The candidates of one patch, least error first; among equals the least (y, x, turn) first.
 using Candidates = std::vector<Candidate>;
 
 struct SearchRequest {
@@ -35,7 +36,7 @@ struct SearchResult {
 /// Whether two translations differ by at least `separation_px` along some axis of the torus (Chebyshev distance).
 bool far_enough(V2i a, V2i b, V2i size, int separation_px);
 
-/// Takes from `found`, in order of (error, y, x), what is far enough from the identity and from everything taken
+/// Takes from `found`, in order of (error, y, x, turn), what is far enough from the identity and from everything taken
 /// before, up to `request.count`.
 Candidates take_separated(Candidates found, V2i size, const SearchRequest& request);
 

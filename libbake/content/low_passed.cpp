@@ -12,13 +12,12 @@ constexpr int kCells = 64;            // along the shorter side
 constexpr double kSigmaShare = 16.0;  // σ is this part of the shorter side
 
 // The mean of the texels of a cell.
-V3f cell_mean(ImageView<const V3f> luv, V2i cell, V2i cells) {
+V3f cell_mean(ImageView<const V3f> luv, V2i cell, const CellGrid& grid) {
+  const V2i begin = grid.first_px(cell), end = grid.first_px(cell + V2i(1, 1));
   V3f sum(0);
-  int count = 0;
-  for (int y = cell.y * luv.height() / cells.y; y < (cell.y + 1) * luv.height() / cells.y; ++y)
-    for (int x = cell.x * luv.width() / cells.x; x < (cell.x + 1) * luv.width() / cells.x; ++x, ++count)
-      sum += luv(x, y);
-  return sum / static_cast<float>(count);
+  for (int y = begin.y; y < end.y; ++y)
+    for (int x = begin.x; x < end.x; ++x) sum += luv(x, y);
+  return sum / static_cast<float>((end.x - begin.x) * (end.y - begin.y));
 }
 
 V3f mean_of(ImageView<const V3f> image) {
@@ -31,25 +30,20 @@ V3f mean_of(ImageView<const V3f> image) {
 
 }  // namespace
 
-V2i LowPassed::shift(V2i translation) const {
-  const V2i t = wrap(translation, size_px);
-  return {(t.x * cells().x + size_px.x / 2) / size_px.x % cells().x,
-          (t.y * cells().y + size_px.y / 2) / size_px.y % cells().y};
-}
-
-LowPassed low_passed(ImageView<const V3f> luv) {
+LowPassed low_passed(ImageView<const V3f> luv, float scale) {
   const int side = std::min(luv.width(), luv.height());
   const auto cells_along = [&](int n) { return std::min(n, (n * kCells + side / 2) / side); };
-  const V2i cells(cells_along(luv.width()), cells_along(luv.height()));
+  LowPassed low;
+  low.grid = {{luv.width(), luv.height()}, {cells_along(luv.width()), cells_along(luv.height())}};
+  const V2i cells = low.grid.cells;
 
   Image<V3f> means(cells.x, cells.y);
   parallel_for(0, cells.y, [&](int y) {
-    for (int x = 0; x < cells.x; ++x) means(x, y) = cell_mean(luv, {x, y}, cells);
+    for (int x = 0; x < cells.x; ++x) means(x, y) = cell_mean(luv, {x, y}, low.grid);
   });
 
-  LowPassed low;
-  low.size_px = {luv.width(), luv.height()};
-  low.color = gaussian_blur(means, std::min(cells.x, cells.y) / kSigmaShare, Wrap::repeat);
+  const double sigma = std::min(cells.x, cells.y) / (kSigmaShare * static_cast<double>(scale));
+  low.color = gaussian_blur(means, sigma, Wrap::repeat);
   const V3f mean = mean_of(low.color);
   for (V3f& c : low.color) {
     c -= mean;

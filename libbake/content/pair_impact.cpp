@@ -1,10 +1,12 @@
 #include "libbake/content/pair_impact.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "libbake/base/parallel.h"
 #include "libbake/content/patch_border.h"
+#include "libbake/content/shown_source.h"
 
 namespace texbake {
 namespace {
@@ -46,38 +48,75 @@ void dilate(PairBorder& border, ImageView<const uint32_t> idx) {
   border.band.erase(std::unique(border.band.begin(), border.band.end()), border.band.end());
 }
 
-double impact_of(const PairBorder& border, V2i t_a, V2i t_b, ImageView<const uint8_t> classes,
-                 const ClassDistances& distances) {
-  const V2i size(classes.width(), classes.height());
-  const auto delta = [&](V2i p) -> uint64_t {
-    const V2i from_a = wrap(p + t_a, size);
-    const V2i from_b = wrap(p + t_b, size);
-    return distances.at(classes(from_a.x, from_a.y), classes(from_b.x, from_b.y));
-  };
-  uint64_t sum = 0;
-  for (const V2i& p : border.band) {
-    const uint64_t own = delta(p);
-    if (own == 0) continue;
-    uint64_t around = 0;
+// The texels within the mask of a band.
+struct MaskedTexels {
+  std::vector<V2i> texels;
+  std::vector<std::array<uint32_t, kMaskSide * kMaskSide>> around;  // of each texel of the band, its own in the middle
+};
+
+MaskedTexels masked_texels(const std::vector<V2i>& band, V2i size) {
+  MaskedTexels masked;
+  Image<uint32_t> number(size.x, size.y, UINT32_MAX);
+  for (const V2i& p : band) {
+    auto& around = masked.around.emplace_back();
+    auto* out = around.data();
     for (int dy = -kMaskRadius; dy <= kMaskRadius; ++dy)
-      for (int dx = -kMaskRadius; dx <= kMaskRadius; ++dx) around += delta(p + V2i(dx, dy));
-    sum += own * around;
+      for (int dx = -kMaskRadius; dx <= kMaskRadius; ++dx) {
+        const V2i q = wrap(p + V2i(dx, dy), size);
+        uint32_t& at = number(q.x, q.y);
+        if (at == UINT32_MAX) {
+          at = static_cast<uint32_t>(masked.texels.size());
+          masked.texels.push_back(q);
+        }
+        *out++ = at;
+      }
   }
-  return distances.impact(sum, border.band.size());
+  return masked;
+}
+
+// The classes that the contents of a patch show at `texels`.
+std::vector<std::vector<uint8_t>> shown_classes(const ContentTable& table, const Partition& patches, uint32_t patch,
+                                                const std::vector<V2i>& texels, ImageView<const uint8_t> classes) {
+  std::vector<std::vector<uint8_t>> shown;
+  for (const Content& content : table.of(static_cast<int>(patch))) {
+    shown.emplace_back();
+    for (const V2i& p : texels) {
+      const V2i source = shown_source(patches, patch, p, content);
+      shown.back().push_back(classes(source.x, source.y));
+    }
+  }
+  return shown;
+}
+
+double impact_of(const MaskedTexels& masked, const std::vector<uint8_t>& a, const std::vector<uint8_t>& b,
+                 const ClassDistances& distances) {
+  std::vector<uint32_t> delta;
+  for (size_t i = 0; i < a.size(); ++i) delta.push_back(distances.at(a[i], b[i]));
+  uint64_t sum = 0;
+  for (const auto& around : masked.around) {
+    const uint64_t own = delta[around[around.size() / 2]];
+    if (own == 0) continue;
+    uint64_t box = 0;
+    for (const uint32_t texel : around) box += delta[texel];
+    sum += own * box;
+  }
+  return distances.impact(sum, masked.around.size());
 }
 
 }  // namespace
 
-PairImpact pair_impact(ImageView<const uint8_t> classes, const ClassDistances& distances,
-                       ImageView<const uint32_t> patch_idx, const std::vector<std::vector<V2i>>& translations) {
-  std::vector<PairBorder> borders = find_borders(patch_idx);
+PairImpact pair_impact(ImageView<const uint8_t> classes, const ClassDistances& distances, const Partition& patches,
+                       const ContentTable& table) {
+  std::vector<PairBorder> borders = find_borders(patches.idx);
   std::vector<std::vector<double>> impacts(borders.size());
   parallel_for(0, static_cast<int>(borders.size()), [&](int i) {
     PairBorder& border = borders[static_cast<size_t>(i)];
-    dilate(border, patch_idx);
-    for (const V2i& t_a : translations[border.a])
-      for (const V2i& t_b : translations[border.b])
-        impacts[static_cast<size_t>(i)].push_back(impact_of(border, t_a, t_b, classes, distances));
+    dilate(border, patches.idx);
+    const MaskedTexels masked = masked_texels(border.band, patches.size());
+    const auto shown_a = shown_classes(table, patches, border.a, masked.texels, classes);
+    const auto shown_b = shown_classes(table, patches, border.b, masked.texels, classes);
+    for (const auto& a : shown_a)
+      for (const auto& b : shown_b) impacts[static_cast<size_t>(i)].push_back(impact_of(masked, a, b, distances));
   });
   PairImpact result;
   size_t count = 0;

@@ -2,10 +2,9 @@
 // Based on: Vanhoey et al. 2013, eq. 2-3, which see only the original neighbour.
 #pragma once
 
-#include <vector>
-
-#include "libbake/base/image.h"
 #include "libbake/content/class_distances.h"
+#include "libbake/content/content.h"
+#include "libbake/segment/partition.h"
 
 namespace texbake {
 
@@ -15,10 +14,10 @@ struct PairImpact {
   double worst = 0;
 };
 
-/// E of eq. 3 with δ(p) = ‖C(p + t_a) − C(p + t_b)‖², a the content of the one patch and b of the other, averaged over
-/// the texels of the two patches within 2 texels of the border texels of either: where b is the identity, eq. 2 on a
-/// border one texel wider. `translations` holds, for each patch, those of its contents; none is turned.
-PairImpact pair_impact(ImageView<const uint8_t> classes, const ClassDistances& distances,
-                       ImageView<const uint32_t> patch_idx, const std::vector<std::vector<V2i>>& translations);
+/// E of eq. 3 with δ(p) = ‖C(source of p in a) − C(source of p in b)‖², a the content of the one patch and b of the
+/// other, averaged over the texels of the two patches within 2 texels of the border texels of either: where b is the
+/// identity, eq. 2 on a border one texel wider.
+PairImpact pair_impact(ImageView<const uint8_t> classes, const ClassDistances& distances, const Partition& patches,
+                       const ContentTable& table);
 
 }  // namespace texbake

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "libbake/color/luv.h"
 #include "libbake/content/choice.h"
@@ -11,6 +12,7 @@
 #include "libbake/content/content_search.h"
 #include "libbake/content/pair_impact.h"
 #include "libbake/content/refined_search.h"
+#include "libbake/content/turned_search.h"
 
 namespace texbake {
 namespace {
@@ -21,8 +23,9 @@ constexpr int kBalancedCandidates = 60;
 constexpr int kSeparationDivisor = 16;
 
 SearchResult search(const ContentClasses& classes, const ClassDistances& distances, const Partition& patches,
-                    const SelectContentsOptions& options, const Progress& progress) {
+                    const Turns& turns, const SelectContentsOptions& options, const Progress& progress) {
   const SearchRequest request{*options.candidates, *options.separation_px};
+  if (turns.size() > 1) return search_contents_turned(classes.idx, distances, patches, turns, request, progress);
   if (*options.search == Search::refined)
     return search_contents_refined(classes.idx, distances, patches.idx, patches.count(), request, progress);
   return search_contents(classes.idx, distances, patch_borders(patches.idx, patches.count()), request, progress);
@@ -38,31 +41,31 @@ void check_enough(const std::vector<Candidates>& candidates, int wanted, const S
                       patch, wanted, *options.separation_px, candidates[patch].size()));
 }
 
+// What the search found, as contents.
+ContentCandidates contents_of(const std::vector<Candidates>& found, const Turns& turns, const ClassDistances& distances,
+                              const Partition& patches) {
+  const std::vector<size_t> border_counts = patch_borders(patches.idx, patches.count()).texel_counts;
+  ContentCandidates candidates(found.size());
+  for (size_t patch = 0; patch < found.size(); ++patch)
+    for (const Candidate& candidate : found[patch]) {
+      Content content = turns[static_cast<size_t>(candidate.turn)];
+      content.translation = shortest(candidate.translation, patches.size());
+      content.impact = static_cast<float>(distances.impact(candidate.error_sum, border_counts[patch]));
+      candidates[patch].push_back(content);
+    }
+  return candidates;
+}
+
 // The identity and the chosen candidates of each patch, least impact first.
-ContentTable make_table(const std::vector<Candidates>& candidates, const ChosenCandidates& chosen,
-                        const ClassDistances& distances, const std::vector<size_t>& border_counts, V2i size) {
+ContentTable make_table(const ContentCandidates& candidates, const ChosenCandidates& chosen) {
   ContentTable table;
   table.patch_count = static_cast<int>(candidates.size());
   table.content_count = static_cast<int>(chosen.front().size()) + 1;
   for (size_t patch = 0; patch < candidates.size(); ++patch) {
     table.contents.emplace_back();
-    for (const int number : chosen[patch]) {
-      const Candidate& candidate = candidates[patch][static_cast<size_t>(number)];
-      Content content;
-      content.translation = shortest(candidate.translation, size);
-      content.impact = static_cast<float>(distances.impact(candidate.error_sum, border_counts[patch]));
-      table.contents.push_back(content);
-    }
+    for (const int number : chosen[patch]) table.contents.push_back(candidates[patch][static_cast<size_t>(number)]);
   }
   return table;
-}
-
-std::vector<std::vector<V2i>> translations_of(const ContentTable& table) {
-  std::vector<std::vector<V2i>> translations(static_cast<size_t>(table.patch_count));
-  for (int patch = 0; patch < table.patch_count; ++patch)
-    for (int content = 0; content < table.content_count; ++content)
-      translations[static_cast<size_t>(patch)].push_back(table.at(patch, content).translation);
-  return translations;
 }
 
 void measure_impacts(const ContentTable& table, SelectContentsFigures& figures) {
@@ -92,8 +95,25 @@ SelectContentsOptions resolve(const SelectContentsOptions& options, int width, i
                                               "the identity, found {}",
                                               wanted, options.count, *effective.candidates));
   if (!effective.separation_px) effective.separation_px = std::max(std::min(width, height) / kSeparationDivisor, 1);
+  effective.rotations = options.rotations.value_or(1);
+  effective.scales = options.scales.value_or(1);
+  if (std::popcount(static_cast<unsigned>(*effective.rotations)) != 1)
+    throw Error(ErrorKind::usage, fmt::format("--rotations: expected 1, 2, 4 or 8, found {}", *effective.rotations));
+  const bool is_turned = *effective.rotations > 1 || *effective.scales > 1;
+  if (is_turned && options.search == Search::exact)
+    throw Error(ErrorKind::usage,
+                "--search exact: expected refined with --rotations and --scales, of which only the "
+                "most promising contents are searched exactly");
+  if (is_turned) effective.search = Search::refined;
   if (!effective.search) effective.search = std::max(width, height) <= kExactSide ? Search::exact : Search::refined;
   return effective;
+}
+
+SelectContentsOptions deforming(const SelectContentsOptions& options) {
+  SelectContentsOptions deforming = options;
+  if (!options.rotations) deforming.rotations = 8;
+  if (!options.scales) deforming.scales = 3;
+  return deforming;
 }
 
 ContentSelection select_contents(const PrincipalVariation& colors, ImageView<const V3f> base, const PatchMap& patches,
@@ -113,29 +133,28 @@ ContentSelection select_contents(const PrincipalVariation& colors, ImageView<con
 
   // Candidates of least impact, then the choice among them.
   const Image<V3f> luv = luv_from_linear(base);
-  std::vector<Candidates> candidates(static_cast<size_t>(partition.count()));
+  ContentCandidates candidates(static_cast<size_t>(partition.count()));
   ChosenCandidates chosen(candidates.size());
   if (wanted > 0) {
-    SearchResult found =
-        search(classes, distances, partition, result.effective, [&](double done) { report(progress, 0.9 * done); });
+    const Turns turns = make_turns(*result.effective.rotations, *result.effective.scales, options.min_scale);
+    const SearchResult found = search(classes, distances, partition, turns, result.effective,
+                                      [&](double done) { report(progress, 0.9 * done); });
     check_enough(found.candidates, wanted, result.effective);
     if (found.all_error_count > 0)
       result.figures.computed_share =
           static_cast<double>(found.error_count) / static_cast<double>(found.all_error_count);
-    candidates = std::move(found.candidates);
-    chosen = options.choice == Choice::balanced ? choose_balanced(candidates, wanted, luv, partition.idx, options.seed)
+    candidates = contents_of(found.candidates, turns, distances, partition);
+    chosen = options.choice == Choice::balanced ? choose_balanced(candidates, wanted, luv, partition, options.seed)
                                                 : choose_least_impact(candidates, wanted);
   }
-  result.table =
-      make_table(candidates, chosen, distances, patch_borders(partition.idx, partition.count()).texel_counts, size);
+  result.table = make_table(candidates, chosen);
 
   // Say how good the choice is.
   measure_impacts(result.table, result.figures);
-  const auto translations = translations_of(result.table);
-  const PairImpact pairs = pair_impact(classes.idx, distances, partition.idx, translations);
+  const PairImpact pairs = pair_impact(classes.idx, distances, partition, result.table);
   result.figures.mean_pair_impact = pairs.mean;
   result.figures.worst_pair_impact = pairs.worst;
-  const ChoiceFigures figures = choice_figures(translations, luv, partition.idx);
+  const ChoiceFigures figures = choice_figures(result.table, luv, partition);
   result.figures.repetition_near = figures.repetition_near;
   result.figures.repetition_far = figures.repetition_far;
   result.figures.use_deviation = figures.use_deviation;

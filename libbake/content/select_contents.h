@@ -38,6 +38,9 @@ struct SelectContentsOptions {
   std::optional<int> separation_px{};
   Choice choice = Choice::balanced;
   std::optional<Search> search{};
+  std::optional<int> rotations{};
+  std::optional<int> scales{};
+  float min_scale = 0.5f;
   uint32_t seed = 1;
 
   template <class Self, class Visitor>
@@ -62,7 +65,20 @@ struct SelectContentsOptions {
     visit(self.choice, Field{.name = "choice", .help = "impact: the least impact; balanced: no grid from afar"});
     visit(self.search, Field{.name = "search",
                              .help = "exact: all translations; refined: at reduced size first",
-                             .auto_help = "exact up to 1024 x 1024 texels, refined above"});
+                             .auto_help = "exact up to 1024 x 1024 texels without rotations and scales, else refined"});
+    visit(self.rotations, Field{.name = "rotations",
+                                .unit = "directions",
+                                .min = 1,
+                                .max = 8,
+                                .help = "contents may be turned: 1, 2, 4 or 8 directions",
+                                .auto_help = "1, but 8 on a structure"});
+    visit(self.scales, Field{.name = "scales",
+                             .unit = "sizes",
+                             .min = 1,
+                             .max = 16,
+                             .help = "contents may be shown smaller",
+                             .auto_help = "1, but 3 on a structure"});
+    visit(self.min_scale, Field{.name = "min-scale", .min = 0.5, .max = 1, .help = "the smallest of several sizes"});
     visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the joint choice"});
   }
 };
@@ -90,6 +106,10 @@ struct ContentSelection {
 };
 
 SelectContentsOptions resolve(const SelectContentsOptions& options, int width, int height);
+
+/// The options with `rotations` and `scales` that suit a structure, whose grain is drawn apart, where they are not
+/// given.
+SelectContentsOptions deforming(const SelectContentsOptions& options);
 
 /// `base` is the picture behind `colors`, linear Rec.709. Throws Error(infeasible) when the tile is too small for
 /// `count` contents at the separation asked for.

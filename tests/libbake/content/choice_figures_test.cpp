@@ -20,24 +20,27 @@ Image<V3f> wave_along_x() {
 }
 
 TEST(ChoiceFigures, TheIdentityAloneIsPeriodicAndUsesEveryTexelOnce) {
-  const std::vector<std::vector<V2i>> translations(5, {V2i(0, 0)});
-  const ChoiceFigures figures = choice_figures(translations, wave_along_x(), twin::random_patches(kSize, kSize, 5, 1));
+  const ContentTable table = twin::table(5, {V2i(0, 0)});
+  const ChoiceFigures figures =
+      choice_figures(table, wave_along_x(), twin::partition(twin::random_patches(kSize, kSize, 5, 1), 5));
   EXPECT_NEAR(figures.repetition_near, 1.0, 1e-12);
   EXPECT_NEAR(figures.repetition_far, 1.0, 1e-12);
   EXPECT_EQ(figures.use_deviation, 0.0);
 }
 
 TEST(ChoiceFigures, ContentsThatCancelLeaveNothingThatRepeats) {
-  const std::vector<std::vector<V2i>> translations(5, {V2i(0, 0), V2i(kSize / 2, 0)});
-  const ChoiceFigures figures = choice_figures(translations, wave_along_x(), twin::random_patches(kSize, kSize, 5, 1));
+  const ContentTable table = twin::table(5, {V2i(0, 0), V2i(kSize / 2, 0)});
+  const ChoiceFigures figures =
+      choice_figures(table, wave_along_x(), twin::partition(twin::random_patches(kSize, kSize, 5, 1), 5));
   EXPECT_NEAR(figures.repetition_near, 0.0, 1e-9);
   EXPECT_NEAR(figures.repetition_far, 0.0, 1e-9);
 }
 
 TEST(ChoiceFigures, HalfAPeriodOutOfPhaseRepeatsByHalf) {
   // cos x and cos(x + π/2): the mean has half of the energy.
-  const std::vector<std::vector<V2i>> translations(1, {V2i(0, 0), V2i(kSize / 4, 0)});
-  const ChoiceFigures figures = choice_figures(translations, wave_along_x(), Image<uint32_t>(kSize, kSize));
+  const ContentTable table = twin::table(1, {V2i(0, 0), V2i(kSize / 4, 0)});
+  const ChoiceFigures figures =
+      choice_figures(table, wave_along_x(), twin::partition(Image<uint32_t>(kSize, kSize), 1));
   EXPECT_NEAR(figures.repetition_near, 0.5, 1e-6);  // float sums
   EXPECT_NEAR(figures.repetition_far, 0.5, 1e-6);
 }
@@ -47,8 +50,18 @@ TEST(ChoiceFigures, UseDeviationCountsHowOftenTexelsAppear) {
   Image<uint32_t> patches(kSize, kSize);
   for (int y = 0; y < kSize; ++y)
     for (int x = kSize / 2; x < kSize; ++x) patches(x, y) = 1;
-  const std::vector<std::vector<V2i>> translations = {{V2i(0, 0), V2i(0, 5)}, {V2i(kSize / 2, 0), V2i(kSize / 2, 9)}};
-  EXPECT_NEAR(choice_figures(translations, wave_along_x(), patches).use_deviation, 1.0, 1e-12);
+  const ContentTable table = twin::table({{V2i(0, 0), V2i(0, 5)}, {V2i(kSize / 2, 0), V2i(kSize / 2, 9)}});
+  EXPECT_NEAR(choice_figures(table, wave_along_x(), twin::partition(std::move(patches), 2)).use_deviation, 1.0, 1e-12);
+}
+
+TEST(ChoiceFigures, AQuarterTurnLeavesHalfOfAWave) {
+  // A wave along x and, turned, the same along y: z of both is 10 cos, independent of each other over a whole patch.
+  Partition patches = twin::partition(Image<uint32_t>(kSize, kSize), 1);
+  ContentTable table{1, 2, {Content{}, make_content({0, 0}, 2, 1.0f)}};
+  const ChoiceFigures figures = choice_figures(table, wave_along_x(), patches);
+  EXPECT_NEAR(figures.repetition_near, 0.5, 1e-6);  // float sums
+  EXPECT_NEAR(figures.repetition_far, 0.5, 1e-3);   // cells of 2 px
+  EXPECT_EQ(figures.use_deviation, 0.0);
 }
 
 }  // namespace

@@ -30,22 +30,23 @@ Image<V3f> slow_waves() {
 }
 
 // Candidates of nearly equal impact, those near the identity's phase of the waves first: what least impact falls for.
-std::vector<Candidates> candidates_near_first() {
-  Candidates candidates;
+ContentCandidates candidates_near_first() {
+  std::vector<Content> candidates;
   for (int i = 0; i < 40; ++i) {
     const int reach = 10 + 3 * i;
-    candidates.push_back({wrap(V2i(i % 2 ? reach : -reach, i % 3 ? reach : -reach), V2i(kSize, kSize)),
-                          1000u + static_cast<unsigned>(i)});
+    candidates.push_back(make_content({i % 2 ? reach : -reach, i % 3 ? reach : -reach}, 0, 1.0f));
+    candidates.back().impact = 1000.0f + static_cast<float>(i);
   }
-  return std::vector<Candidates>(kPatchCount, candidates);
+  return ContentCandidates(kPatchCount, candidates);
 }
 
-std::vector<std::vector<V2i>> translations(const std::vector<Candidates>& candidates, const ChosenCandidates& chosen) {
-  std::vector<std::vector<V2i>> result;
+Partition patches_of_tile() { return twin::partition(twin::random_patches(kSize, kSize, kPatchCount, 4), kPatchCount); }
+
+ContentTable table(const ContentCandidates& candidates, const ChosenCandidates& chosen) {
+  ContentTable result{kPatchCount, static_cast<int>(chosen[0].size()) + 1, {}};
   for (size_t patch = 0; patch < chosen.size(); ++patch) {
-    result.push_back({V2i(0, 0)});
-    for (const int number : chosen[patch])
-      result.back().push_back(candidates[patch][static_cast<size_t>(number)].translation);
+    result.contents.emplace_back();
+    for (const int number : chosen[patch]) result.contents.push_back(candidates[patch][static_cast<size_t>(number)]);
   }
   return result;
 }
@@ -56,11 +57,11 @@ TEST(Choice, LeastImpactTakesTheFirstCandidates) {
 
 TEST(Choice, BalancedHidesTheGridThatLeastImpactKeeps) {
   const Image<V3f> luv = slow_waves();
-  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  const Partition patches = patches_of_tile();
   const auto candidates = candidates_near_first();
-  const auto least = choice_figures(translations(candidates, choose_least_impact(candidates, 4)), luv, patches);
+  const auto least = choice_figures(table(candidates, choose_least_impact(candidates, 4)), luv, patches);
   const auto balanced =
-      choice_figures(translations(candidates, choose_balanced(candidates, 4, luv, patches, 1)), luv, patches);
+      choice_figures(table(candidates, choose_balanced(candidates, 4, luv, patches, 1)), luv, patches);
   EXPECT_GT(least.repetition_far, 0.6);
   EXPECT_LT(balanced.repetition_far, 0.1);  // "good" of the quality measures
 }
@@ -68,15 +69,15 @@ TEST(Choice, BalancedHidesTheGridThatLeastImpactKeeps) {
 TEST(Choice, BalancedKeepsTheEnergyOfLargeShapes) {
   // The waves seen through the contents have about the energy of the tile: they are not washed out.
   const Image<V3f> luv = slow_waves();
-  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  const Partition patches = patches_of_tile();
   const auto candidates = candidates_near_first();
-  const auto chosen = translations(candidates, choose_balanced(candidates, 4, luv, patches, 1));
+  const auto chosen = table(candidates, choose_balanced(candidates, 4, luv, patches, 1));
   double shown = 0.0, own = 0.0;
   for (int y = 0; y < kSize; ++y)
     for (int x = 0; x < kSize; ++x)
-      for (const V2i& t : chosen[patches(x, y)]) {
+      for (const Content& content : chosen.of(static_cast<int>(patches.idx(x, y)))) {
         const auto wave = [](int px) { return std::pow(std::cos(2.0 * M_PI * px / kSize), 2); };
-        shown += wave(x + t.x);
+        shown += wave(x + content.translation.x);
         own += wave(x);
       }
   EXPECT_NEAR(shown / own, 1.0, 0.15);
@@ -85,14 +86,17 @@ TEST(Choice, BalancedKeepsTheEnergyOfLargeShapes) {
 TEST(Choice, BalancedEvensOutTheUseOfTheExemplar) {
   // A constant tile, and for each patch other candidates at random.
   const Image<V3f> luv(kSize, kSize, V3f(50, 0, 0));
-  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  const Partition patches = patches_of_tile();
   Random random(6);
-  std::vector<Candidates> candidates(kPatchCount);
-  for (Candidates& of_patch : candidates)
-    for (uint64_t i = 0; i < 40; ++i)
-      of_patch.push_back({V2i(static_cast<int>(random.below(kSize)), static_cast<int>(random.below(kSize))), 1000 + i});
+  ContentCandidates candidates(kPatchCount);
+  for (auto& of_patch : candidates)
+    for (int i = 0; i < 40; ++i) {
+      of_patch.push_back(
+          make_content({static_cast<int>(random.below(kSize)), static_cast<int>(random.below(kSize))}, 0, 1.0f));
+      of_patch.back().impact = 1000.0f + static_cast<float>(i);
+    }
   const auto use = [&](const ChosenCandidates& chosen) {
-    return choice_figures(translations(candidates, chosen), luv, patches).use_deviation;
+    return choice_figures(table(candidates, chosen), luv, patches).use_deviation;
   };
   EXPECT_LT(use(choose_balanced(candidates, 4, luv, patches, 1)), 0.7 * use(choose_least_impact(candidates, 4)));
 }
@@ -100,16 +104,15 @@ TEST(Choice, BalancedEvensOutTheUseOfTheExemplar) {
 TEST(Choice, BalancedKeepsToLowImpactWhereTheRestIsEqual) {
   // A constant tile: only use and impact speak. Half of the candidates have ten times the impact of the others.
   auto candidates = candidates_near_first();
-  for (Candidates& of_patch : candidates)
-    for (size_t i = 20; i < 40; ++i) of_patch[i].error_sum = 10000;
-  const auto chosen = choose_balanced(candidates, 4, Image<V3f>(kSize, kSize, V3f(50, 0, 0)),
-                                      twin::random_patches(kSize, kSize, kPatchCount, 4), 1);
+  for (auto& of_patch : candidates)
+    for (size_t i = 20; i < 40; ++i) of_patch[i].impact = 10000.0f;
+  const auto chosen = choose_balanced(candidates, 4, Image<V3f>(kSize, kSize, V3f(50, 0, 0)), patches_of_tile(), 1);
   EXPECT_THAT(chosen, Each(Each(::testing::Lt(20))));
 }
 
 TEST(Choice, BalancedTakesDifferentCandidatesInOrderAndTheSameEveryTime) {
   const Image<V3f> luv = slow_waves();
-  const Image<uint32_t> patches = twin::random_patches(kSize, kSize, kPatchCount, 4);
+  const Partition patches = patches_of_tile();
   const auto candidates = candidates_near_first();
   const auto chosen = choose_balanced(candidates, 4, luv, patches, 1);
   for (const auto& numbers : chosen) {
@@ -121,9 +124,8 @@ TEST(Choice, BalancedTakesDifferentCandidatesInOrderAndTheSameEveryTime) {
 
 TEST(Choice, TakesAllCandidatesWhereThereAreNoMore) {
   auto candidates = candidates_near_first();
-  for (Candidates& of_patch : candidates) of_patch.resize(4);
-  EXPECT_THAT(choose_balanced(candidates, 4, slow_waves(), twin::random_patches(kSize, kSize, kPatchCount, 4), 1),
-              Each(ElementsAre(0, 1, 2, 3)));
+  for (auto& of_patch : candidates) of_patch.resize(4);
+  EXPECT_THAT(choose_balanced(candidates, 4, slow_waves(), patches_of_tile(), 1), Each(ElementsAre(0, 1, 2, 3)));
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "libbake/base/random.h"
+#include "libbake/content/content.h"
 #include "libbake/content/content_search.h"
+#include "libbake/segment/partition.h"
 
 namespace texbake::twin {
 
@@ -56,6 +58,25 @@ inline uint64_t error_sum(ImageView<const uint8_t> classes, const ClassDistances
   return sum;
 }
 
+/// The same where texel p shows the class at `source_of(p)`.
+template <class SourceOf>
+uint64_t error_sum_of(ImageView<const uint8_t> classes, const ClassDistances& distances, const std::vector<V2i>& texels,
+                      const SourceOf& source_of) {
+  const V2i size(classes.width(), classes.height());
+  const auto delta = [&](V2i p) -> uint64_t {
+    const V2i own = wrap(p, size), source = wrap(source_of(own), size);
+    return distances.at(classes(own.x, own.y), classes(source.x, source.y));
+  };
+  uint64_t sum = 0;
+  for (const V2i& p : texels) {
+    uint64_t around = 0;
+    for (int dy = -3; dy <= 3; ++dy)
+      for (int dx = -3; dx <= 3; ++dx) around += delta(p + V2i(dx, dy));
+    sum += around * delta(p);
+  }
+  return sum;
+}
+
 /// All translations in order of (error, y, x), and from them, best first, those far enough from all before.
 inline Candidates search(ImageView<const uint8_t> classes, const ClassDistances& distances,
                          const std::vector<V2i>& border, const SearchRequest& request) {
@@ -77,6 +98,27 @@ inline Candidates search(ImageView<const uint8_t> classes, const ClassDistances&
     if (allowed) taken.push_back(candidate);
   }
   return taken;
+}
+
+/// A partition of which only idx is known; with translations alone the centres do not matter.
+inline Partition partition(Image<uint32_t> idx, int count) {
+  Partition patches;
+  patches.idx = std::move(idx);
+  patches.centers.assign(static_cast<size_t>(count), V2i(0, 0));
+  return patches;
+}
+
+/// Contents that are only moved, as many for each patch.
+inline ContentTable table(const std::vector<std::vector<V2i>>& translations) {
+  ContentTable table{static_cast<int>(translations.size()), static_cast<int>(translations[0].size()), {}};
+  for (const auto& of_patch : translations)
+    for (const V2i& t : of_patch) table.contents.push_back(make_content(t, 0, 1.0f));
+  return table;
+}
+
+/// The same ones for every patch.
+inline ContentTable table(int patch_count, const std::vector<V2i>& translations) {
+  return table(std::vector<std::vector<V2i>>(static_cast<size_t>(patch_count), translations));
 }
 
 /// A tile of `class_count` classes in blobs a few texels wide.

@@ -8,9 +8,9 @@ namespace texbake {
 namespace {
 
 TEST(LowPassed, HasAtMostAbout64CellsAlongTheShorterSide) {
-  EXPECT_EQ(low_passed(Image<V3f>(512, 256)).cells(), V2i(128, 64));
-  EXPECT_EQ(low_passed(Image<V3f>(300, 211)).cells(), V2i(91, 64));  // 64 · 300 / 211 = 90.99
-  EXPECT_EQ(low_passed(Image<V3f>(40, 30)).cells(), V2i(40, 30));
+  EXPECT_EQ(low_passed(Image<V3f>(512, 256)).grid.cells, V2i(128, 64));
+  EXPECT_EQ(low_passed(Image<V3f>(300, 211)).grid.cells, V2i(91, 64));  // 64 · 300 / 211 = 90.99
+  EXPECT_EQ(low_passed(Image<V3f>(40, 30)).grid.cells, V2i(40, 30));
 }
 
 TEST(LowPassed, KeepsALongWaveAndDropsAShortOneAndTheMean) {
@@ -27,11 +27,12 @@ TEST(LowPassed, KeepsALongWaveAndDropsAShortOneAndTheMean) {
   EXPECT_LT(low_passed(wave(32)).energy, 0.5 * std::pow(10 * 0.01, 2));
 }
 
-TEST(LowPassed, ShiftsAreTheNearestWholeCells) {
-  const LowPassed low = low_passed(Image<V3f>(256, 256));  // cells of 4 px
-  EXPECT_EQ(low.shift({8, 9}), V2i(2, 2));
-  EXPECT_EQ(low.shift({-8, 255}), V2i(62, 0));
-  EXPECT_EQ(low.middle_px({0, 63}), V2i(2, 254));
+TEST(LowPassed, IsWiderWhereTheTileIsSeenSmaller) {
+  // Seen at half the size a wave of 256 px is one of 128 px: exp(−2π²σ²/128²) = 0.735 of its amplitude.
+  Image<V3f> image(256, 256);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) image(x, y) = V3f(10.0f * static_cast<float>(std::cos(2.0 * M_PI * x / 256.0)), 0, 0);
+  EXPECT_NEAR(low_passed(image, 0.5f).energy, 0.5 * std::pow(10 * 0.735, 2), 0.03 * 27);
 }
 
 }  // namespace
