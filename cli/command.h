@@ -37,6 +37,7 @@ Command fragment_command();
 Command info_command();
 Command patch_command();
 Command render_command();
+Command report_command();
 Command select_contents_command();
 Command verify_command();
 

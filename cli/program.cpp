@@ -24,7 +24,7 @@ constexpr const char* kVersion = TEXBAKE_VERSION;
 
 std::vector<Command> all_commands() {
   return {bake_command(),   convert_command(), fragment_command(), patch_command(), select_contents_command(),
-          render_command(), verify_command(),  info_command(),    export_command()};
+          render_command(), verify_command(),  report_command(),   info_command(),  export_command()};
 }
 
 /// How a run ended, for stdout and stderr.

@@ -1,6 +1,7 @@
 // What a user would pick instead of a bundle, made from the same exemplar: for comparison in the report only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "libbake/base/image.h"
@@ -10,6 +11,21 @@ namespace texbake {
 
 /// The exemplar again and again, from its own origin. `width_px`, `height_px` > 0.
 Image<V3f> periodic_baseline(ImageView<const V3f> exemplar, int width_px, int height_px);
+
+/// Which texel of the exemplar a Wang tiling shows where.
+class WangTiling {
+ public:
+  /// See wang_baseline.
+  WangTiling(ImageView<const V3f> exemplar_luv, V2i tiles, uint32_t seed);
+  /// The source of output texel (x, y), 0 ≤ x < tiles.x · width of the exemplar.
+  V2i source(int x, int y) const { return sources_[tile_idx_(x / size_.x, y / size_.y)](x % size_.x, y % size_.y); }
+  V2i size_px() const { return {tile_idx_.width() * size_.x, tile_idx_.height() * size_.y}; }
+
+ private:
+  V2i size_;                            ///< of the exemplar
+  Image<uint8_t> tile_idx_;             ///< which of the 16 tiles stands where
+  std::array<Image<V2i>, 16> sources_;  ///< of those that are used
+};
 
 /// Wang tiles with two colours for each pair of sides: 16 tiles, each the size of the exemplar, whose sides show one of
 /// four random places of the exemplar, joined inside the tile along minimum-error cuts.

@@ -27,9 +27,9 @@ struct GradientMatch {
 std::optional<GradientMatch> gradient_match(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv);
 
 /// F_structure: median distance of 400 8 × 8 windows of the rendering to their nearest window of the exemplar, divided
-/// by the same for `periodic_luv`, the exemplar repeated. Exemplar windows stand at every fourth texel, so that a copy
-/// is near but seldom at distance 0, and both renderings are treated alike. `seed` picks the windows. Nothing when the
-/// latter distance is 0 (a constant exemplar) or a picture is smaller than a window.
+/// by the same for `periodic_luv`, the exemplar repeated. Exemplar windows stand at every fourth texel (eighth of
+/// 1024), so that a copy is near but seldom at distance 0, and both renderings are treated alike. `seed` picks the
+/// windows. Nothing when the latter distance is 0 (a constant exemplar) or a picture is smaller than a window.
 std::optional<double> structure_distance(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv,
                                          ImageView<const V3f> periodic_luv, uint32_t seed = 1);
 

@@ -20,4 +20,9 @@ struct Repetition {
 /// that is not whole tiles.
 std::optional<Repetition> repetition(ImageView<const V3f> rendering_luv, V2i tile, double sigma_px);
 
+/// The share G near each texel of the tile: |mean over the tiles|² and the mean |·|², both less the tile's mean and
+/// both smoothed by 1/32 of its shorter side, in the formula above; clamped to 0 … 1. Where the rendering hardly varies
+/// it is 0. At reduced size for large tiles. `rendering_luv` as in `repetition`.
+Image<float> repetition_map(ImageView<const V3f> rendering_luv, V2i tile);
+
 }  // namespace texbake

@@ -70,45 +70,79 @@ std::vector<float> neighbour_differences(ImageView<const V3f> exemplar) {
   return differences;
 }
 
-}  // namespace
+// Two neighbours of the rendering whose sources are not.
+struct SeamPair {
+  V2i p{0, 0};
+  V2i q{0, 0};
+  float difference = 0;  // across the seam
+  float own = 0;         // of the exemplar across the same place of the tile
+};
 
-std::optional<Seams> seams(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source) {
-  const V2i size(exemplar_luv.width(), exemplar_luv.height());
-  const auto at = [&](V2i p) { return exemplar_luv(p.x, p.y); };
-  const std::vector<float> all = neighbour_differences(exemplar_luv);
-  const float threshold_all = percentile95(all);
-
-  // Collect the difference across each seam pair, and the exemplar's own across the same place of the tile.
-  std::vector<float> seam;
-  std::vector<float> own;
-  Image<uint8_t> visible(source.width(), source.height());
+std::vector<SeamPair> seam_pairs(ImageView<const V3f> exemplar, ImageView<const V2i> source,
+                                 const SeamOptions& options) {
+  const V2i size(exemplar.width(), exemplar.height());
+  const auto at = [&](V2i p) { return exemplar(p.x, p.y); };
+  std::vector<SeamPair> pairs;
   const auto visit = [&](V2i p, V2i step) {
     const V2i q = p + step;
-    const V2i source_p = source(p.x, p.y);
-    const V2i source_q = source(q.x, q.y);
-    if (wrap(source_p + step, size) == source_q) return;
-    const float difference = delta_e(at(source_p), at(source_q));
-    seam.push_back(difference);
-    own.push_back(delta_e(at(wrap(p, size)), at(wrap(q, size))));
-    if (difference > threshold_all) visible(p.x, p.y) = visible(q.x, q.y) = 1;
+    if (!options.shape.empty() && options.shape(p.x, p.y) == options.shape(q.x, q.y)) return;
+    const V2i expected = source(p.x, p.y) + step;
+    if ((options.adjacency == Adjacency::torus ? wrap(expected, size) : expected) == source(q.x, q.y)) return;
+    pairs.push_back(
+        {p, q, delta_e(at(source(p.x, p.y)), at(source(q.x, q.y))), delta_e(at(wrap(p, size)), at(wrap(q, size)))});
   };
   for (int y = 0; y < source.height(); ++y)
     for (int x = 0; x < source.width(); ++x) {
       if (x + 1 < source.width()) visit({x, y}, {1, 0});
       if (y + 1 < source.height()) visit({x, y}, {0, 1});
     }
-  if (seam.empty()) return std::nullopt;
+  return pairs;
+}
 
-  std::sort(seam.begin(), seam.end());
-  std::sort(own.begin(), own.end());
+template <class Value>
+std::vector<float> sorted(const std::vector<SeamPair>& pairs, const Value& value) {
+  std::vector<float> values;
+  values.reserve(pairs.size());
+  for (const SeamPair& pair : pairs) values.push_back(value(pair));
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+}  // namespace
+
+std::optional<Seams> seams(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source, const SeamOptions& options) {
+  const std::vector<SeamPair> pairs = seam_pairs(exemplar_luv, source, options);
+  if (pairs.empty()) return std::nullopt;
+  const std::vector<float> all = neighbour_differences(exemplar_luv);
+  const std::vector<float> seam = sorted(pairs, [](const SeamPair& pair) { return pair.difference; });
+  const std::vector<float> own = sorted(pairs, [](const SeamPair& pair) { return pair.own; });
+
+  const float threshold_all = percentile95(all);
+  Image<uint8_t> visible(source.width(), source.height());
+  for (const SeamPair& pair : pairs)
+    if (pair.difference > threshold_all) visible(pair.p.x, pair.p.y) = visible(pair.q.x, pair.q.y) = 1;
+
   Seams result;
-  result.pair_count = seam.size();
+  result.pair_count = pairs.size();
   result.auc_all = area_under_curve(seam, all);
   result.auc_own = area_under_curve(seam, own);
   result.tail_all = share_above(seam, threshold_all);
   result.tail_own = share_above(seam, percentile95(own));
   result.run_px = mean_run(std::move(visible));
   return result;
+}
+
+Image<SeamTexel> seam_texels(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source,
+                             const SeamOptions& options) {
+  Image<SeamTexel> texels(source.width(), source.height(), SeamTexel::none);
+  const std::vector<SeamPair> pairs = seam_pairs(exemplar_luv, source, options);
+  if (pairs.empty()) return texels;
+  const float threshold = percentile95(sorted(pairs, [](const SeamPair& pair) { return pair.own; }));
+  for (const SeamPair& pair : pairs) {
+    const SeamTexel state = pair.difference > threshold ? SeamTexel::visible : SeamTexel::hidden;
+    for (const V2i& p : {pair.p, pair.q}) texels(p.x, p.y) = std::max(texels(p.x, p.y), state);
+  }
+  return texels;
 }
 
 }  // namespace texbake

@@ -1,6 +1,7 @@
 // How visible the seams are where contents meet.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "libbake/base/image.h"
@@ -19,9 +20,33 @@ struct Seams {
   double run_px = 0;  ///< Σ len² / Σ len over 8-connected seam texels above that percentile of "all"
 };
 
+/// Which texels of the exemplar are neighbours.
+enum class Adjacency {
+  torus,  ///< the tile goes on across its wrap
+  plane,  ///< the wrap counts as a seam too: how periodic tiling is judged
+};
+
+struct SeamOptions {
+  /// Label of what each output texel belongs to, of the size of `source`, or empty. Texels of one label make no seam,
+  /// also where a turned content takes them from texels that are not neighbours.
+  ImageView<const uint32_t> shape = {};
+  Adjacency adjacency = Adjacency::torus;
+};
+
 /// `source(x, y)` is the texel of the exemplar that the rendering shows at (x, y), whose own place in the tile is
-/// (x, y) mod tile. Two 4-neighbours are a seam pair where their sources are not neighbours in the same way on the
-/// torus. Nothing when there is no seam pair.
-std::optional<Seams> seams(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source);
+/// (x, y) mod tile. Two 4-neighbours are a seam pair where their sources are not neighbours in the same way. Nothing
+/// when there is no seam pair.
+std::optional<Seams> seams(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source,
+                           const SeamOptions& options = {});
+
+/// What a texel of the rendering has to do with seams.
+enum class SeamTexel : uint8_t {
+  none,
+  hidden,   ///< at a seam pair whose difference is usual across such pairs before any exchange
+  visible,  ///< at a seam pair above the 95th percentile of "own"
+};
+/// For every texel of `source`, the worst of its pairs.
+Image<SeamTexel> seam_texels(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source,
+                             const SeamOptions& options = {});
 
 }  // namespace texbake

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kRadialBins = 10;
 constexpr int kAngularBins = 8;
+constexpr size_t kMaxSquares = 61;  // prime, so that steps of a grid do not keep to its columns
 using Bins = std::array<double, kRadialBins * kAngularBins>;
 
 // Bin of a frequency, or −1 for DC and for the corners beyond Nyquist. Radial edges are equal steps in octaves from
@@ -55,14 +56,18 @@ void add_square(ImageView<const V3f> image, V2i origin, int n, ImageView<const i
   }
 }
 
-// Mean power of each bin over all squares at half overlap, on the torus of the image.
+// Mean power of each bin over squares at half overlap, on the torus of the image: all of them, or, of a large image, at
+// most kMaxSquares, evenly spread.
 Bins mean_power(ImageView<const V3f> image, int n, ImageView<const int> bin) {
   std::vector<V2i> origins;
   for (int y = 0; y < image.height(); y += n / 2)
     for (int x = 0; x < image.width(); x += n / 2) origins.emplace_back(x, y);
-  std::vector<Bins> powers(origins.size(), Bins{});
-  parallel_for(0, static_cast<int>(origins.size()), [&](int i) {
-    add_square(image, origins[static_cast<size_t>(i)], n, bin, powers[static_cast<size_t>(i)]);
+  std::vector<V2i> taken;
+  const size_t count = std::min(origins.size(), kMaxSquares);
+  for (size_t i = 0; i < count; ++i) taken.push_back(origins[i * origins.size() / count]);
+  std::vector<Bins> powers(count, Bins{});
+  parallel_for(0, static_cast<int>(count), [&](int i) {
+    add_square(image, taken[static_cast<size_t>(i)], n, bin, powers[static_cast<size_t>(i)]);
   });
   Bins mean{};
   for (const Bins& power : powers)

@@ -10,7 +10,8 @@ namespace texbake {
 namespace {
 
 constexpr int kWindow = 8;
-constexpr int kStride = 4;
+constexpr int kLeastStride = 4;
+constexpr int kWindowsPerSide = 128;
 constexpr int kSamples = 400;
 constexpr int kDimension = kWindow * kWindow * 3;
 
@@ -48,8 +49,9 @@ std::optional<double> structure_distance(ImageView<const V3f> exemplar_luv, Imag
                                          ImageView<const V3f> periodic_luv, uint32_t seed) {
   if (!holds_window(exemplar_luv) || !holds_window(rendering_luv) || !holds_window(periodic_luv)) return std::nullopt;
   std::vector<float> windows;
-  for (int y = 0; y + kWindow <= exemplar_luv.height(); y += kStride)
-    for (int x = 0; x + kWindow <= exemplar_luv.width(); x += kStride) append_window(exemplar_luv, x, y, windows);
+  const int stride = std::max(kLeastStride, std::min(exemplar_luv.width(), exemplar_luv.height()) / kWindowsPerSide);
+  for (int y = 0; y + kWindow <= exemplar_luv.height(); y += stride)
+    for (int x = 0; x + kWindow <= exemplar_luv.width(); x += stride) append_window(exemplar_luv, x, y, windows);
   const flann::Matrix<float> dataset(windows.data(), windows.size() / kDimension, kDimension);
   flann::Index<flann::L2<float>> index(dataset, flann::LinearIndexParams());
   index.buildIndex();

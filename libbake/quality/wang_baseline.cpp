@@ -11,6 +11,7 @@
 #include <cmath>
 #include <vector>
 
+#include "libbake/base/parallel.h"
 #include "libbake/base/random.h"
 #include "libbake/color/luv.h"
 #include "libbake/quality/baselines.h"
@@ -76,10 +77,9 @@ std::vector<int> least_error_offsets(int steps, int reach, const Error& error) {
   return offsets;
 }
 
-// One tile: its four pictures, joined.
-Image<V3f> make_tile(ImageView<const V3f> exemplar, ImageView<const V3f> luv, const SideColors& colors,
-                     const Places& places) {
-  const V2i size(exemplar.width(), exemplar.height());
+// One tile: the sources of its four pictures, joined.
+Image<V2i> make_tile(ImageView<const V3f> luv, const SideColors& colors, const Places& places) {
+  const V2i size(luv.width(), luv.height());
   const int steps = size.y / 2;
   const auto error_between = [&](Side a, Side b, V2i p) {
     const V2i pa = source_of(a, p, colors, places, size);
@@ -102,7 +102,7 @@ Image<V3f> make_tile(ImageView<const V3f> exemplar, ImageView<const V3f> luv, co
   };
   const std::vector<int> cuts[2][2] = {{cut(false, false), cut(true, false)}, {cut(false, true), cut(true, true)}};
 
-  Image<V3f> tile(size.x, size.y);
+  Image<V2i> tile(size.x, size.y);
   for (int y = 0; y < size.y; ++y) {
     const int lower = y >= size.y - steps ? 1 : 0;
     const auto a = static_cast<size_t>(std::min(lower ? size.y - 1 - y : y, steps - 1));
@@ -112,8 +112,7 @@ Image<V3f> make_tile(ImageView<const V3f> exemplar, ImageView<const V3f> luv, co
         side = kWest;
       else if (x > cuts[lower][1][a])
         side = kEast;
-      const V2i source = source_of(side, {x, y}, colors, places, size);
-      tile(x, y) = exemplar(source.x, source.y);
+      tile(x, y) = source_of(side, {x, y}, colors, places, size);
     }
   }
   return tile;
@@ -121,12 +120,12 @@ Image<V3f> make_tile(ImageView<const V3f> exemplar, ImageView<const V3f> luv, co
 
 }  // namespace
 
-Image<V3f> wang_baseline(ImageView<const V3f> exemplar, V2i tiles, uint32_t seed) {
-  const V2i size(exemplar.width(), exemplar.height());
+WangTiling::WangTiling(ImageView<const V3f> exemplar_luv, V2i tiles, uint32_t seed)
+    : size_(exemplar_luv.width(), exemplar_luv.height()), tile_idx_(tiles.x, tiles.y) {
   Random random(seed);
   const auto place = [&] {
-    const auto x = static_cast<int>(random.below(static_cast<uint32_t>(size.x)));
-    return V2i(x, static_cast<int>(random.below(static_cast<uint32_t>(size.y))));
+    const auto x = static_cast<int>(random.below(static_cast<uint32_t>(size_.x)));
+    return V2i(x, static_cast<int>(random.below(static_cast<uint32_t>(size_.y))));
   };
   Places places;
   for (V2i& p : places.vertical_side) p = place();
@@ -139,17 +138,25 @@ Image<V3f> wang_baseline(ImageView<const V3f> exemplar, V2i tiles, uint32_t seed
   for (uint8_t& color : north_colors) color = static_cast<uint8_t>(random.below(2));
 
   // Make each of the 16 tiles when it is first needed.
-  const Image<V3f> luv = luv_from_linear(exemplar);
-  std::array<Image<V3f>, 16> made;
-  Image<V3f> picture(tiles.x * size.x, tiles.y * size.y);
   for (int j = 0; j < tiles.y; ++j)
     for (int i = 0; i < tiles.x; ++i) {
       const SideColors colors{north_colors(i, j), west_colors(wrap(i + 1, tiles.x), j),
                               north_colors(i, wrap(j + 1, tiles.y)), west_colors(i, j)};
-      Image<V3f>& tile = made[static_cast<size_t>(colors.north * 8 + colors.east * 4 + colors.south * 2 + colors.west)];
-      if (tile.empty()) tile = make_tile(exemplar, luv, colors, places);
-      for (int y = 0; y < size.y; ++y) std::copy_n(tile.row(y), size.x, picture.row(j * size.y + y) + i * size.x);
+      tile_idx_(i, j) = static_cast<uint8_t>(colors.north * 8 + colors.east * 4 + colors.south * 2 + colors.west);
+      Image<V2i>& tile = sources_[tile_idx_(i, j)];
+      if (tile.empty()) tile = make_tile(exemplar_luv, colors, places);
     }
+}
+
+Image<V3f> wang_baseline(ImageView<const V3f> exemplar, V2i tiles, uint32_t seed) {
+  const WangTiling tiling(luv_from_linear(exemplar), tiles, seed);
+  Image<V3f> picture(tiling.size_px().x, tiling.size_px().y);
+  parallel_for(0, picture.height(), [&](int y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      const V2i source = tiling.source(x, y);
+      picture(x, y) = exemplar(source.x, source.y);
+    }
+  });
   return picture;
 }
 

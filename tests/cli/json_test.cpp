@@ -83,6 +83,17 @@ TEST_F(CommandLineJson, EveryVerbWritesOneObjectOfTheSchema) {
   valid_output("info " + bundle, 0);
 }
 
+TEST_F(CommandLineJson, ReportsAreObjectsOfTheSchemaAndNeverPassWhatIsNotThere) {
+  const json good = valid_output("report " + at("a.texbundle") + " --quick --tiles 3", 0)["result"];
+  for (const json& measure : good["measures"]) EXPECT_TRUE(measure["bundle"].contains("mean")) << measure;
+  run("convert " + at("bricks.png") + " -o " + at("c.texbundle"));
+  const json bare = valid_output("report " + at("c.texbundle") + " --quick --tiles 2 --fail-on fail", 1)["result"];
+  EXPECT_EQ(bare["contents"], 0);
+  for (const json& measure : bare["measures"])
+    if (measure["key"] == "repetitionFar")
+      EXPECT_THAT(measure["bundle"]["notDefined"], testing::HasSubstr("select-contents"));
+}
+
 TEST_F(CommandLineJson, FailuresAreObjectsOfTheSchemaToo) {
   EXPECT_THAT(valid_output("bake " + at("nothing.png"), 4)["error"], testing::HasSubstr("nothing.png"));
   EXPECT_EQ(valid_output("bake --zoom 3", 2)["status"], "usage");

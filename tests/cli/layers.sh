@@ -16,6 +16,7 @@ declare -A below=(
   [libbake/quality]="libbake/base libbake/color"
   [libbake/eval]="libbake/base libbake/color libbake/segment libbake/content shaders"
   [libbake/gl]="libbake/base libbake/color libbake/segment libbake/content libbake/eval shaders"
+  [libbake/report]="libbake/base libbake/color libbake/segment libbake/content libbake/quality libbake/eval"
   [formats]="libbake shaders"
   [cli]="formats libbake"
   [examples]="formats libbake"
@@ -38,7 +39,7 @@ only() {
     [[ " $* " == *" $file "* ]] || complain "$file includes <$pattern>; allowed: $*"
   done < <(grep -rlE "#include <($pattern)" --include=*.h --include=*.cpp libbake formats cli examples)
 }
-only 'OpenImageIO/' formats/image_reader.cpp formats/image_writer.cpp
+only 'OpenImageIO/' formats/image_reader.cpp formats/image_writer.cpp formats/picture_bytes.cpp
 only 'OpenEXR/' formats/exr_planes.cpp
 only 'openssl/' formats/sha256.cpp
 only 'opencv2/' libbake/base/fft.cpp

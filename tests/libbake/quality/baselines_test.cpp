@@ -6,6 +6,7 @@
 
 #include "libbake/base/gaussian.h"
 #include "libbake/base/random.h"
+#include "libbake/color/luv.h"
 #include "libbake/quality/fidelity.h"
 #include "libbake/quality/repetition.h"
 
@@ -39,6 +40,18 @@ TEST(Baselines, WangTilesShowNoEdgeBetweenThem) {
     inside += (picture(9, y) - picture(10, y)).length();
   }
   EXPECT_NEAR(border / inside, 1.0, 0.25);
+}
+
+TEST(Baselines, WangTilingShowsItsSources) {
+  const Image<V3f> exemplar = grain(64, 48);
+  const Image<V3f> picture = wang_baseline(exemplar, {3, 2}, 5);
+  const WangTiling tiling(luv_from_linear(exemplar), {3, 2}, 5);
+  ASSERT_EQ(tiling.size_px(), V2i(picture.width(), picture.height()));
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const V2i source = tiling.source(x, y);
+      ASSERT_EQ(picture(x, y), exemplar(source.x, source.y));
+    }
 }
 
 TEST(Baselines, HexTilingDoesNotRepeat) {

@@ -23,9 +23,9 @@ TEST(LowPass, EqualsTheFullGaussianAtTheMiddleOfEachBlock) {
     }
 }
 
-TEST(LowPass, ReducesWhileTheGaussianStaysFourTexelsWide) {
-  EXPECT_EQ(reduction_factor({1024, 1024}, 64.0), 16);
-  EXPECT_EQ(reduction_factor({1024, 1024}, 7.9), 1);
+TEST(LowPass, ReducesWhileTheGaussianStaysTwoTexelsWide) {
+  EXPECT_EQ(reduction_factor({1024, 1024}, 64.0), 32);
+  EXPECT_EQ(reduction_factor({1024, 1024}, 3.9), 1);
   EXPECT_EQ(reduction_factor({1024, 1028}, 64.0), 4);
 }
 

@@ -1,0 +1,139 @@
+// texbake report: bundle → how good it is, as numbers and as a page, beside what a user would pick instead.
+#include "libbake/report/report.h"
+
+#include <memory>
+
+#include "cli/bundle_path.h"
+#include "cli/command.h"
+#include "cli/evaluator_input.h"
+#include "cli/option_flags.h"
+#include "cli/provenance.h"
+#include "cli/report_json.h"
+#include "formats/bundle_io.h"
+#include "formats/report_page.h"
+#include "formats/safe_file.h"
+
+namespace texbake {
+namespace {
+
+/// From which verdict on the answer is no.
+enum class FailOn { never, warn, fail };
+
+}  // namespace
+
+template <>
+struct EnumNames<FailOn> {
+  static constexpr std::pair<FailOn, std::string_view> values[] = {
+      {FailOn::never, "never"}, {FailOn::warn, "warn"}, {FailOn::fail, "fail"}};
+};
+
+namespace {
+
+struct JudgeOptions {
+  FailOn fail_on = FailOn::never;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.fail_on, Field{.name = "fail-on",
+                              .help = "end with exit code 1 from this verdict on; what could not be measured counts as "
+                                      "worse than warn"});
+  }
+};
+
+struct Request {
+  std::string bundle;
+  std::string output;
+  ReportOptions options;
+  JudgeOptions judge;
+};
+
+/// The figures of a stage as numbers; nothing when the stage has not run or has not recorded all of them.
+std::optional<std::vector<double>> figures(const Bundle& bundle, const char* verb, std::vector<const char*> names) {
+  const Stage* stage = find_stage(bundle, verb);
+  if (!stage) return std::nullopt;
+  std::vector<double> values;
+  for (const char* name : names) {
+    if (!stage->figures.contains(name) || !stage->figures[name].is_number()) return std::nullopt;
+    values.push_back(stage->figures[name].get<double>());
+  }
+  return values;
+}
+
+ReportInput report_input(const Bundle& bundle) {
+  ReportInput input;
+  input.tile = evaluator_input(bundle.scales.back());
+  if (const auto found = figures(bundle, "select-contents", {"meanPairImpact", "worstPairImpact"}))
+    input.pairs = PairImpact{(*found)[0], (*found)[1]};
+  if (const auto found = figures(bundle, "fragment", {"borderDeltaE", "interiorDeltaE", "sizeLimitedShare"}))
+    input.contrast = ContrastReport{(*found)[0], (*found)[1], (*found)[2]};
+  return input;
+}
+
+void write_page(const Report& report, const Request& request, const Bundle& bundle) {
+  const auto& colors = bundle.scales.back().colors;
+  const std::string name = std::filesystem::path(request.bundle).filename().string();
+  SafeFile file(request.output);
+  file.write(report_page(report, name, colors ? &colors->palette : nullptr));
+  file.commit();
+}
+
+ExitCode exit_code_of(const Report& report, FailOn fail_on) {
+  const Verdict least = fail_on == FailOn::warn ? Verdict::warn : Verdict::undefined;
+  return fail_on != FailOn::never && report.verdict >= least ? ExitCode::no : ExitCode::done;
+}
+
+std::string text_of(const Report& report, const Request& request) {
+  std::string text;
+  for (const Judgement& judgement : report.judgements) {
+    const MeasureKind& kind = kind_of(judgement.measure);
+    text += fmt::format("{:<12} {:<24} {}{}{} (good: {})\n", enum_name(judgement.verdict), kind.label,
+                        measured_text(report.of(Method::bundle)[judgement.measure]), kind.unit.empty() ? "" : " ",
+                        kind.unit, good_text(judgement.limits));
+  }
+  if (!report.is_suitable())
+    text +=
+        fmt::format("unsuitable, because {}\nwhat helps: {}\n", report.suitability.because, report.suitability.helps);
+  text += fmt::format("{}: {}\n", request.bundle, report.is_suitable() ? enum_name(report.verdict) : "unsuitable");
+  if (!request.output.empty()) text += request.output + "\n";
+  return text;
+}
+
+Outcome run(const Request& request, Console& console) {
+  check_options(request.options);
+  if (!request.output.empty()) check_file_target(request.output);
+  console.step("read");
+  const Bundle bundle = read_bundle(request.bundle);
+  const Report result = report(report_input(bundle), request.options, console.step("measure"));
+  if (!request.output.empty()) {
+    console.step("write");
+    write_page(result, request, bundle);
+  }
+  console.finish_step();
+  return {exit_code_of(result, request.judge.fail_on), text_of(result, request),
+          report_json(result, request.bundle, request.output)};
+}
+
+Action declare(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
+  app.add_option("-o,--output", request->output, "write the page, one HTML file; default: no page")->type_name("FILE");
+  // Declared first, so that flags that follow change what it sets.
+  app.add_flag_callback(
+         "--quick", [request] { request->options = ReportOptions::quick(); },
+         "a preview in seconds: --seeds 1 --side 256")
+      ->group("Options");
+  add_flags(app, request->options, "Options");
+  add_flags(app, request->judge, "Options");
+  return [request](Console& console) { return run(*request, console); };
+}
+
+}  // namespace
+
+Command report_command() {
+  return {"report", "bundle → numbers and page: how good it is, beside periodic, Wang and hex tiling",
+          "  texbake report leaves.texbundle -o leaves.html\n"
+          "  texbake report leaves.texbundle --quick --fail-on warn --json",
+          declare};
+}
+
+}  // namespace texbake

@@ -1,0 +1,38 @@
+// Takes out of a tile what gives its repetition away: shading, and features that stand out from all others.
+// Based on: local mean and contrast normalisation, as before texture matching (Heeger and Bergen 1995; Lowe 2004, §6).
+#pragma once
+
+#include "libbake/base/image.h"
+#include "libbake/base/options.h"
+#include "libbake/base/torus.h"
+
+namespace texbake {
+
+struct FlattenOptions {
+  float flatten_px = 0;
+  float contrast = 0.5f;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.flatten_px,
+          Field{.name = "flatten",
+                .unit = "px",
+                .min = 0,
+                .max = 8192,
+                .help = "even out the colour's local mean and contrast at this scale (a Gaussian's σ): "
+                        "takes out shading and odd ones out; an eighth of the tile's side is a good "
+                        "start; 0: off"});
+    visit(self.contrast, Field{.name = "flatten-contrast",
+                               .min = 0,
+                               .max = 1,
+                               .help = "of the local contrast's difference from the tile's, the share that --flatten "
+                                       "evens out"});
+  }
+};
+
+/// `tile` in linear Rec.709, on the torus: in CIELUV, less its Gaussian mean at σ = flatten_px, times the local gain
+/// (tile's deviation from that mean / local deviation)^contrast, limited to 0.5 … 2, plus the tile's mean. Negative
+/// light becomes 0. A scale of 0 gives the tile itself.
+Image<V3f> flatten(ImageView<const V3f> tile, const FlattenOptions& options);
+
+}  // namespace texbake

@@ -1,0 +1,67 @@
+#include "libbake/report/reduced_tile.h"
+
+#include "libbake/quality/low_pass.h"
+
+namespace texbake {
+namespace {
+
+// x / factor, rounded to the nearest, halves up.
+int divided(int x, int factor) {
+  const int shifted = 2 * x + factor;
+  return shifted >= 0 ? shifted / (2 * factor) : -((-shifted + 2 * factor - 1) / (2 * factor));
+}
+V2i divided(V2i p, int factor) { return {divided(p.x, factor), divided(p.y, factor)}; }
+
+template <class T>
+Image<T> middle_texels(const Image<T>& image, int factor) {
+  Image<T> reduced(image.width() / factor, image.height() / factor);
+  for (int y = 0; y < reduced.height(); ++y)
+    for (int x = 0; x < reduced.width(); ++x) reduced(x, y) = image(x * factor + factor / 2, y * factor + factor / 2);
+  return reduced;
+}
+
+PatchMap reduced_patches(const PatchMap& patches, int factor) {
+  PatchMap reduced;
+  reduced.partition.idx = middle_texels(patches.partition.idx, factor);
+  reduced.partition.owner = middle_texels(patches.partition.owner, factor);
+  const V2i size = reduced.partition.size();
+  for (const V2i& center : patches.partition.centers) reduced.partition.centers.push_back(wrap(center / factor, size));
+  for (const uint32_t area : patches.partition.areas_px)
+    reduced.partition.areas_px.push_back(area / static_cast<uint32_t>(factor * factor));
+  return reduced;
+}
+
+ContentTable reduced_contents(const ContentTable& contents, int factor, V2i size) {
+  ContentTable reduced = contents;
+  for (Content& content : reduced.contents) content.translation = shortest(divided(content.translation, factor), size);
+  return reduced;
+}
+
+}  // namespace
+
+EvaluatorInput ReducedTile::input() const {
+  EvaluatorInput input;
+  input.base = base;
+  if (patches) input.patches = &*patches;
+  if (contents) input.contents = &*contents;
+  return input;
+}
+
+int reduction_to(V2i size, int largest_side) {
+  const int side = std::max(size.x, size.y);
+  for (int factor = (side + largest_side - 1) / largest_side; factor <= side / 8; ++factor)
+    if (size.x % factor == 0 && size.y % factor == 0) return factor;
+  return 1;
+}
+
+ReducedTile reduced_tile(const EvaluatorInput& input, int factor) {
+  ReducedTile reduced;
+  reduced.factor = factor;
+  reduced.base = reduce(input.base, factor);
+  if (input.patches) reduced.patches = reduced_patches(*input.patches, factor);
+  const V2i size(reduced.base.width(), reduced.base.height());
+  if (input.contents) reduced.contents = reduced_contents(*input.contents, factor, size);
+  return reduced;
+}
+
+}  // namespace texbake

@@ -1,0 +1,25 @@
+// A bundle's tile at a fraction of its size, so that measuring a large one takes bounded time and memory.
+#pragma once
+
+#include "libbake/eval/prepare.h"
+
+namespace texbake {
+
+/// What the evaluator needs to draw the reduced tile.
+struct ReducedTile {
+  int factor = 1;
+  Image<V3f> base;
+  std::optional<PatchMap> patches;
+  std::optional<ContentTable> contents;
+
+  EvaluatorInput input() const;
+};
+
+/// The least factor that divides both sides of `size` and leaves none above `largest_side`; 1 where there is none.
+int reduction_to(V2i size, int largest_side);
+
+/// Colours are means of factor × factor blocks; patches and owners are taken from the middle of each block;
+/// translations and centres are divided and rounded. `factor` divides both sides of the base.
+ReducedTile reduced_tile(const EvaluatorInput& input, int factor);
+
+}  // namespace texbake

@@ -1,0 +1,77 @@
+// How good a bundle is, beside what a user would pick instead: numbers, verdicts and pictures from one run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libbake/base/options.h"
+#include "libbake/base/progress.h"
+#include "libbake/content/pair_impact.h"
+#include "libbake/eval/prepare.h"
+#include "libbake/report/report_picture.h"
+#include "libbake/report/suitability.h"
+#include "libbake/report/verdict.h"
+
+namespace texbake {
+
+struct ReportOptions {
+  int seeds = 3;
+  int tiles = 6;
+  int side_px = 1024;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.seeds, Field{.name = "seeds",
+                            .unit = "renderings",
+                            .min = 1,
+                            .max = 64,
+                            .help = "of every method; numbers are their mean ± standard deviation"});
+    visit(self.tiles,
+          Field{.name = "tiles", .unit = "tiles", .min = 2, .max = 32, .help = "on each side of a rendering"});
+    visit(self.side_px, Field{.name = "side",
+                              .unit = "px",
+                              .min = 32,
+                              .max = 16384,
+                              .help = "a tile with a longer side is measured at half of its size, a third, ..."});
+  }
+
+  /// A preview in a few seconds: one seed, the tile at 256 texels.
+  static ReportOptions quick() { return {.seeds = 1, .tiles = 6, .side_px = 256}; }
+};
+
+/// What is reported on. Views are borrowed.
+struct ReportInput {
+  EvaluatorInput tile;
+  std::optional<PairImpact> pairs;         ///< as select-contents found it
+  std::optional<ContrastReport> contrast;  ///< as fragment found it
+};
+
+/// A measure's standing in the bundle.
+struct Judgement {
+  Measure measure = Measure::tile_x;
+  Limits limits;
+  Verdict verdict = Verdict::undefined;
+};
+
+struct Report {
+  V2i tile_px{0, 0};
+  int reduction = 1;  ///< measured at 1/reduction of the tile's size
+  ReportOptions options;
+  int patch_count = 0;
+  int content_count = 0;  ///< N_t; 0 without contents
+
+  std::array<MeasureRow, kMethodCount> methods;  ///< by Method
+  MeasureRow floor;                              ///< between the exemplar's halves
+  std::vector<Judgement> judgements;             ///< in the order of the measures
+  Suitability suitability;
+  Verdict verdict = Verdict::undefined;  ///< the worst of the judgements
+  std::vector<ReportPicture> pictures;
+
+  const MeasureRow& of(Method method) const { return methods[static_cast<size_t>(method)]; }
+  bool is_suitable() const { return verdict <= Verdict::warn || suitability.fits(); }
+};
+
+/// Throws Error(usage) for options out of range.
+Report report(const ReportInput& input, const ReportOptions& options = {}, const Progress& progress = {});
+
+}  // namespace texbake

@@ -1,0 +1,42 @@
+#include "libbake/report/reduced_tile.h"
+
+#include <gtest/gtest.h>
+
+#include "libbake/eval/window.h"
+#include "tests/libbake/report/tile_fixture.h"
+
+namespace texbake {
+namespace {
+
+TEST(ReducedTile, TakesTheLeastFactorThatDividesBothSides) {
+  EXPECT_EQ(reduction_to({1024, 1024}, 1024), 1);
+  EXPECT_EQ(reduction_to({1024, 512}, 256), 4);
+  EXPECT_EQ(reduction_to({960, 960}, 256), 4);
+  EXPECT_EQ(reduction_to({1023, 1024}, 256), 1);  // coprime sides stay as they are
+}
+
+TEST(ReducedTile, DrawsTheMeansOfWhatTheWholeTileDraws) {
+  // Patches and translations lie on the grid of blocks, so that reducing before and after drawing is the same.
+  TileFixture fixture = tile_fixture(64, 3);
+  for (Content& content : fixture.contents.contents) content.translation = content.translation / 4 * 4;
+  const ReducedTile reduced = reduced_tile(fixture.input(), 4);
+  const EvaluatorPlanes small = prepare(reduced.input());
+  const EvaluatorPlanes large = prepare(fixture.input());
+  Window window;
+  window.filter = Filter::nearest;
+  window.seed = 5;
+  window.width = window.height = 2 * 16;
+  const Image<V3f> found = render_rows(small, window, 0, window.height);
+  window.width = window.height = 2 * 64;
+  const Image<V3f> whole = render_rows(large, window, 0, window.height);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      V3f mean(0);
+      for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i) mean += whole(4 * x + i, 4 * y + j) / 16.0f;
+      EXPECT_NEAR(found(x, y).x, mean.x, 1e-6f);  // sums in another order
+    }
+}
+
+}  // namespace
+}  // namespace texbake

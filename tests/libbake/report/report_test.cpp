@@ -1,0 +1,118 @@
+#include "libbake/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "libbake/color/luv.h"
+#include "libbake/report/rendering_measures.h"
+#include "tests/libbake/report/tile_fixture.h"
+
+namespace texbake {
+namespace {
+
+ReportOptions small_options() { return {.seeds = 2, .tiles = 4, .side_px = 64}; }
+
+Report report_on(const TileFixture& fixture) {
+  ReportInput input;
+  input.tile = fixture.input();
+  return report(input, small_options());
+}
+
+double value(const Report& report, Method method, Measure measure) {
+  const Measured& measured = report.of(method)[measure];
+  EXPECT_TRUE(measured.value.has_value()) << kind_of(measure).key << ": " << measured.undefined_because;
+  return measured.value ? measured.value->mean : NAN;
+}
+
+TEST(Report, PeriodicTilingRepeatsWhollyAndMatchesItself) {
+  const Report found = report_on(tile_fixture(64, 4));
+  EXPECT_NEAR(value(found, Method::periodic, Measure::repetition_near), 1.0, 1e-4);
+  EXPECT_NEAR(value(found, Method::periodic, Measure::repetition_far), 1.0, 1e-4);
+  EXPECT_NEAR(value(found, Method::periodic, Measure::seam_auc), 0.5, 1e-9);
+  EXPECT_NEAR(value(found, Method::periodic, Measure::band_coarse), 1.0, 1e-3);
+  EXPECT_NEAR(value(found, Method::periodic, Measure::color), 0.0, 1e-6);
+  EXPECT_NEAR(value(found, Method::periodic, Measure::gradient_ratio), 1.0, 0.03);  // the wrap counts beside the inside
+  EXPECT_EQ(value(found, Method::periodic, Measure::structure), 1.0);
+}
+
+TEST(Report, HexTilingHasNoSeamAndSaysWhy) {
+  const Report found = report_on(tile_fixture(64, 4));
+  EXPECT_FALSE(found.of(Method::hex)[Measure::seam_auc].value.has_value());
+  EXPECT_NE(found.of(Method::hex)[Measure::seam_auc].undefined_because, "");
+}
+
+TEST(Report, MoreContentsRepeatLessAndThePredictionKnows) {
+  const Report two = report_on(tile_fixture(64, 2));
+  const Report eight = report_on(tile_fixture(64, 8));
+  EXPECT_GT(value(two, Method::bundle, Measure::repetition_near),
+            value(eight, Method::bundle, Measure::repetition_near) + 0.1);
+  // 16 tiles leave the measured share uncertain by about 1/16.
+  for (const Report* found : {&two, &eight})
+    EXPECT_NEAR(value(*found, Method::bundle, Measure::repetition_near),
+                value(*found, Method::bundle, Measure::predicted_near), 0.07);
+}
+
+TEST(Report, WithoutContentsNothingOfTheBundleIsDefinedAndNothingPasses) {
+  TileFixture fixture = tile_fixture(64, 2);
+  ReportInput input;
+  input.tile = fixture.input();
+  input.tile.contents = nullptr;
+  const Report found = report(input, small_options());
+  EXPECT_EQ(found.verdict, Verdict::undefined);
+  EXPECT_NE(found.of(Method::bundle)[Measure::repetition_far].undefined_because.find("select-contents"),
+            std::string::npos);
+  EXPECT_NEAR(value(found, Method::periodic, Measure::repetition_near), 1.0, 1e-4);
+}
+
+TEST(Report, OfOneColourIsNotDefinedAndNeverPasses) {
+  TileFixture fixture = tile_fixture(64, 3);
+  fixture.base = Image<V3f>(64, 64, V3f(0.25f, 0.5f, 0.125f));
+  const Report found = report_on(fixture);
+  EXPECT_EQ(found.verdict, Verdict::undefined);
+  for (const MeasureRow& row : found.methods)
+    for (const MeasureKind& kind : measure_kinds())
+      if (row[kind.measure].value) EXPECT_TRUE(std::isfinite(row[kind.measure].value->mean)) << kind.key;
+}
+
+TEST(Report, OfATileTooSmallForASpectrumSaysSo) {
+  const TileFixture fixture = tile_fixture(16, 3);
+  const Report found = report_on(fixture);
+  EXPECT_FALSE(found.of(Method::bundle)[Measure::spectrum].value.has_value());
+  EXPECT_NE(found.of(Method::bundle)[Measure::spectrum].undefined_because.find("16 texels"), std::string::npos);
+  EXPECT_GE(found.verdict, Verdict::undefined);
+}
+
+TEST(Report, IsTheSameTwice) {
+  const TileFixture fixture = tile_fixture(64, 3);
+  const Report a = report_on(fixture), b = report_on(fixture);
+  for (const MeasureKind& kind : measure_kinds())
+    EXPECT_EQ(
+        a.of(Method::bundle)[kind.measure].value.has_value() ? a.of(Method::bundle)[kind.measure].value->mean : 0,
+        b.of(Method::bundle)[kind.measure].value.has_value() ? b.of(Method::bundle)[kind.measure].value->mean : 0);
+}
+
+TEST(Report, CountsWhatIsFetched) {
+  const TileFixture fixture = tile_fixture(64, 3);
+  const Report found = report_on(fixture);
+  EXPECT_EQ(value(found, Method::bundle, Measure::fetches), 2);
+  EXPECT_EQ(value(found, Method::periodic, Measure::fetches), 1);
+  EXPECT_EQ(value(found, Method::hex, Measure::fetches), 3);
+  // 64 · 64 texels of 8 bytes, of 4 bytes for the patches; 16 patches with 3 contents and a centre of 16 bytes each.
+  EXPECT_DOUBLE_EQ(value(found, Method::bundle, Measure::gpu_bytes), (4096 * 12 + 16 * 4 * 16) / 1048576.0);
+}
+
+TEST(OverSeeds, GivesMeanAndStandardDeviation) {
+  std::vector<MeasureRow> rows(2);
+  rows[0][Measure::color] = Measured::of(1.0);
+  rows[1][Measure::color] = Measured::of(2.0);
+  rows[0][Measure::spectrum] = Measured::of(1.0);
+  rows[1][Measure::spectrum] = Measured::undefined("why");
+  const MeasureRow both = over_seeds(rows);
+  EXPECT_DOUBLE_EQ(both[Measure::color].value->mean, 1.5);
+  EXPECT_DOUBLE_EQ(both[Measure::color].value->spread, std::sqrt(0.5));
+  EXPECT_EQ(both[Measure::spectrum].undefined_because, "why");
+}
+
+}  // namespace
+}  // namespace texbake
