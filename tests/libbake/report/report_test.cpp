@@ -11,7 +11,7 @@
 namespace texbake {
 namespace {
 
-ReportOptions small_options() { return {.seeds = 2, .tiles = 4, .side_px = 64}; }
+ReportOptions small_options() { return {.seeds = 1, .tiles = 4, .side_px = 64}; }
 
 Report report_on(const TileFixture& fixture) {
   ReportInput input;
@@ -26,25 +26,25 @@ double value(const Report& report, Method method, Measure measure) {
 }
 
 TEST(Report, PeriodicTilingRepeatsWhollyAndMatchesItself) {
-  const Report found = report_on(tile_fixture(64, 4));
+  const Report found = report_on(tile_fixture(32, 4));
   EXPECT_NEAR(value(found, Method::periodic, Measure::repetition_near), 1.0, 1e-4);
   EXPECT_NEAR(value(found, Method::periodic, Measure::repetition_far), 1.0, 1e-4);
   EXPECT_NEAR(value(found, Method::periodic, Measure::seam_auc), 0.5, 1e-9);
   EXPECT_NEAR(value(found, Method::periodic, Measure::band_coarse), 1.0, 1e-3);
   EXPECT_NEAR(value(found, Method::periodic, Measure::color), 0.0, 1e-6);
-  EXPECT_NEAR(value(found, Method::periodic, Measure::gradient_ratio), 1.0, 0.03);  // the wrap counts beside the inside
-  EXPECT_EQ(value(found, Method::periodic, Measure::structure), 1.0);
+  EXPECT_NEAR(value(found, Method::periodic, Measure::gradient_ratio), 1.0, 0.05);  // the wrap counts beside the inside
+  EXPECT_NEAR(value(found, Method::periodic, Measure::structure), 1.0, 0.1);  // medians of other windows
 }
 
 TEST(Report, HexTilingHasNoSeamAndSaysWhy) {
-  const Report found = report_on(tile_fixture(64, 4));
+  const Report found = report_on(tile_fixture(32, 4));
   EXPECT_FALSE(found.of(Method::hex)[Measure::seam_auc].value.has_value());
   EXPECT_NE(found.of(Method::hex)[Measure::seam_auc].undefined_because, "");
 }
 
 TEST(Report, MoreContentsRepeatLessAndThePredictionKnows) {
-  const Report two = report_on(tile_fixture(64, 2));
-  const Report eight = report_on(tile_fixture(64, 8));
+  const Report two = report_on(tile_fixture(32, 2));
+  const Report eight = report_on(tile_fixture(32, 8));
   EXPECT_GT(value(two, Method::bundle, Measure::repetition_near),
             value(eight, Method::bundle, Measure::repetition_near) + 0.1);
   // 16 tiles leave the measured share uncertain by about 1/16.
@@ -54,7 +54,7 @@ TEST(Report, MoreContentsRepeatLessAndThePredictionKnows) {
 }
 
 TEST(Report, WithoutContentsNothingOfTheBundleIsDefinedAndNothingPasses) {
-  TileFixture fixture = tile_fixture(64, 2);
+  TileFixture fixture = tile_fixture(32, 2);
   ReportInput input;
   input.tile = fixture.input();
   input.tile.contents = nullptr;
@@ -66,13 +66,15 @@ TEST(Report, WithoutContentsNothingOfTheBundleIsDefinedAndNothingPasses) {
 }
 
 TEST(Report, OfOneColourIsNotDefinedAndNeverPasses) {
-  TileFixture fixture = tile_fixture(64, 3);
-  fixture.base = Image<V3f>(64, 64, V3f(0.25f, 0.5f, 0.125f));
+  TileFixture fixture = tile_fixture(32, 3);
+  fixture.base = Image<V3f>(32, 32, V3f(0.25f, 0.5f, 0.125f));
   const Report found = report_on(fixture);
   EXPECT_EQ(found.verdict, Verdict::undefined);
   for (const MeasureRow& row : found.methods)
-    for (const MeasureKind& kind : measure_kinds())
-      if (row[kind.measure].value) EXPECT_TRUE(std::isfinite(row[kind.measure].value->mean)) << kind.key;
+    for (const MeasureKind& kind : measure_kinds()) {
+      const auto& found_value = row[kind.measure].value;
+      EXPECT_TRUE(!found_value || std::isfinite(found_value->mean)) << kind.key;
+    }
 }
 
 TEST(Report, OfATileTooSmallForASpectrumSaysSo) {
@@ -84,7 +86,7 @@ TEST(Report, OfATileTooSmallForASpectrumSaysSo) {
 }
 
 TEST(Report, IsTheSameTwice) {
-  const TileFixture fixture = tile_fixture(64, 3);
+  const TileFixture fixture = tile_fixture(32, 3);
   const Report a = report_on(fixture), b = report_on(fixture);
   for (const MeasureKind& kind : measure_kinds())
     EXPECT_EQ(
@@ -93,13 +95,13 @@ TEST(Report, IsTheSameTwice) {
 }
 
 TEST(Report, CountsWhatIsFetched) {
-  const TileFixture fixture = tile_fixture(64, 3);
+  const TileFixture fixture = tile_fixture(32, 3);
   const Report found = report_on(fixture);
   EXPECT_EQ(value(found, Method::bundle, Measure::fetches), 2);
   EXPECT_EQ(value(found, Method::periodic, Measure::fetches), 1);
   EXPECT_EQ(value(found, Method::hex, Measure::fetches), 3);
-  // 64 · 64 texels of 8 bytes, of 4 bytes for the patches; 16 patches with 3 contents and a centre of 16 bytes each.
-  EXPECT_DOUBLE_EQ(value(found, Method::bundle, Measure::gpu_bytes), (4096 * 12 + 16 * 4 * 16) / 1048576.0);
+  // 32 · 32 texels of 8 bytes, of 4 bytes for the patches; 16 patches with 3 contents and a centre of 16 bytes each.
+  EXPECT_DOUBLE_EQ(value(found, Method::bundle, Measure::gpu_bytes), (1024 * 12 + 16 * 4 * 16) / 1048576.0);
 }
 
 TEST(OverSeeds, GivesMeanAndStandardDeviation) {
