@@ -132,23 +132,9 @@ class Measuring {
 
 // What the contents foretell without drawing.
 void add_prediction(const Scene& scene, const std::optional<PairImpact>& pairs, MeasureRow& row) {
-  const ContentTable& table = *scene.tile.contents;
-  std::vector<std::vector<V2i>> translations(static_cast<size_t>(table.patch_count));
-  bool moved_only = true;
-  for (int patch = 0; patch < table.patch_count; ++patch)
-    for (int content = 0; content < table.content_count; ++content) {
-      const Content& c = table.at(patch, content);
-      translations[static_cast<size_t>(patch)].push_back(c.translation);
-      moved_only = moved_only && c.a == 65536 && c.b == 0;
-    }
-  if (moved_only) {
-    const ChoiceFigures figures = choice_figures(translations, scene.luv, scene.tile.patches->partition.idx);
-    row[Measure::predicted_near] = Measured::of(figures.repetition_near);
-    row[Measure::predicted_far] = Measured::of(figures.repetition_far);
-  } else {
-    for (const Measure measure : {Measure::predicted_near, Measure::predicted_far})
-      row[measure] = Measured::undefined("contents are turned or shrunk, which the prediction does not cover");
-  }
+  const ChoiceFigures figures = choice_figures(*scene.tile.contents, scene.luv, scene.tile.patches->partition);
+  row[Measure::predicted_near] = Measured::of(figures.repetition_near);
+  row[Measure::predicted_far] = Measured::of(figures.repetition_far);
   row[Measure::pair_mean] = pairs ? Measured::of(pairs->mean) : Measured::undefined("select-contents recorded none");
   row[Measure::pair_worst] = pairs ? Measured::of(pairs->worst) : Measured::undefined("select-contents recorded none");
 }
