@@ -28,6 +28,15 @@ Json asked_stages(const BakeRequest& request) {
   return stages;
 }
 
+/// Everything that a recipe may ask for.
+Json known_stages() {
+  BakeRequest request;
+  request.layers.layers = Layers::structure_noise;
+  return asked_stages(request);
+}
+
+bool is_layer_stage(const std::string& verb) { return verb == "decompose" || verb == "estimate-psd"; }
+
 /// The same from the record of a bundle; empty for a bundle that bake did not make.
 Json asked_stages(const Bundle& bundle) {
   Json stages = Json::object();
@@ -104,9 +113,10 @@ void read_files(const Json& recipe, const std::string& path, MaterialFiles& file
 bool is_recipe(const std::string& path) { return fs::path(path).extension() == kRecipeExtension; }
 
 Json recipe_of(const Bundle& bundle) {
-  const Json stages = asked_stages(bundle), known = asked_stages(BakeRequest());
+  const Json stages = asked_stages(bundle), known = known_stages();
+  const bool layered = stages.contains("decompose") || stages.contains("estimate-psd");
   for (const auto& [verb, parameters] : known.items())
-    if (!stages.contains(verb))
+    if (!stages.contains(verb) && (layered || !is_layer_stage(verb)))
       refuse("recipe", fmt::format("expected a bundle that bake can make again, found none of its stage {}", verb));
   for (const auto& [verb, parameters] : stages.items())
     if (!known.contains(verb)) refuse("recipe", fmt::format("the stage {} is not one that bake runs", verb));
@@ -130,7 +140,10 @@ BakeRequest read_recipe(const std::string& path) {
   std::map<std::string, JsonReader> readers;
   for (const auto& [verb, parameters] : stages.items())
     readers.emplace(verb, JsonReader(parameters, fmt::format("{}: stages.{}", path, verb)));
-  const Json known = asked_stages(request);
+  const Json known = known_stages();
+  if (stages.contains("decompose") != stages.contains("estimate-psd"))
+    refuse(path, "stages: expected both decompose and estimate-psd, or neither");
+  if (stages.contains("decompose")) request.layers.layers = Layers::structure_noise;
   for (const auto& [verb, reader] : readers)
     if (!known.contains(verb)) refuse(path, fmt::format("stages: \"{}\" is not a stage that bake runs", verb));
   for_each_stage_options(request, [&](const char* verb, auto& options) {

@@ -5,12 +5,41 @@
 
 #include "cli/convert_stage.h"
 #include "libbake/content/select_contents.h"
+#include "libbake/noise/decompose.h"
+#include "libbake/noise/estimate_psd.h"
 #include "libbake/segment/patch.h"
 
 namespace texbake {
 
+/// What the exemplar is taken for.
+enum class Layers {
+  exemplar,         ///< one layer
+  structure_noise,  ///< two: contents are exchanged in the structure, the grain is made anew everywhere
+};
+template <>
+struct EnumNames<Layers> {
+  static constexpr std::pair<Layers, std::string_view> values[] = {{Layers::exemplar, "exemplar"},
+                                                                   {Layers::structure_noise, "structure+noise"}};
+};
+
+struct LayerOptions {
+  Layers layers = Layers::exemplar;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.layers, Field{.name = "layers",
+                             .help = "exemplar: one layer; structure+noise: fine grain is made anew everywhere, and "
+                                     "contents are exchanged beneath it"});
+  }
+};
+
+/// The stages decompose and estimate-psd belong to the chain where `layers` says so: in a recipe and in a record they
+/// are what says it.
 struct BakeRequest {
   ConvertRequest convert;
+  LayerOptions layers;
+  DecomposeOptions decompose;
+  EstimatePsdOptions estimate_psd;
   FragmentOptions fragment;
   PatchOptions patch;
   SelectContentsOptions select_contents;
@@ -20,6 +49,10 @@ struct BakeRequest {
 template <class Request, class Visit>
 void for_each_stage_options(Request& request, const Visit& visit) {
   for_each_options(request.convert, [&](auto& options) { visit("convert", options); });
+  if (request.layers.layers == Layers::structure_noise) {
+    visit("decompose", request.decompose);
+    visit("estimate-psd", request.estimate_psd);
+  }
   visit("fragment", request.fragment);
   visit("patch", request.patch);
   visit("select-contents", request.select_contents);

@@ -32,6 +32,8 @@ struct Command {
 
 Command bake_command();
 Command convert_command();
+Command decompose_command();
+Command estimate_psd_command();
 Command export_command();
 Command fragment_command();
 Command info_command();

@@ -17,9 +17,17 @@ MapKind kind_of(const Map& map) {
   return MapKind::plain;
 }
 
+NoiseInput noise_input(const Scale& scale, const NoiseModel& model) {
+  NoiseInput input;
+  for (const Image<float>& mask : scale.masks) input.masks.push_back(mask);
+  for (const Noise& noise : model.noises) input.tiles.push_back(noise.tile);
+  return input;
+}
+
 }  // namespace
 
-EvaluatorInput evaluator_input(const Scale& scale) {
+EvaluatorInput evaluator_input(const Bundle& bundle) {
+  const Scale& scale = bundle.scales.back();
   EvaluatorInput input;
   input.base = scale.base();
   input.patches = pointer_to(scale.patches);
@@ -28,6 +36,7 @@ EvaluatorInput evaluator_input(const Scale& scale) {
   input.colors = pointer_to(scale.colors);
   for (const Map& map : scale.maps)
     input.maps.push_back({map.name, kind_of(map), {map.planes, map.planes + map.channels}});
+  if (bundle.noise) input.noise = noise_input(scale, *bundle.noise);
   if (scale.height) input.maps.push_back({"height", MapKind::height, {*scale.height}});
   return input;
 }

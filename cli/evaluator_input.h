@@ -6,8 +6,8 @@
 
 namespace texbake {
 
-/// What the evaluator reads of `scale`: views into it, which must not outlive it. Its height map, where there is one,
-/// is the map "height".
-EvaluatorInput evaluator_input(const Scale& scale);
+/// What the evaluator reads of the finest scale of `bundle`: views into it, which must not outlive it. Its height map,
+/// where there is one, is the map "height". A structure without spectra is drawn alone.
+EvaluatorInput evaluator_input(const Bundle& bundle);
 
 }  // namespace texbake

@@ -22,7 +22,7 @@ Outcome run(const Request& request, Console& console) {
   const std::string folder = request.output.empty() ? default_web_folder(request.bundle) : request.output;
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  const EvaluatorPlanes planes = prepare(evaluator_input(bundle.scales.back()));
+  const EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   console.step("export");
   export_web(planes, folder);
   const std::string page = folder + "/index.html";

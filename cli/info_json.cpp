@@ -30,6 +30,9 @@ void add_color_fields(const Scale& scale, FieldList& fields) {
   const char* form = scale.stores_exemplar ? "what is tiled and drawn" : "decoded from index and variation";
   fields.add_plane("exemplar", "x3 half", "linear Rec.709 light", form);
   if (scale.structure) fields.add_plane("structure", "x3 half", "linear Rec.709 light", "the base: exemplar - noise");
+  if (!scale.masks.empty())
+    fields.add_plane("masks", fmt::format("x{} half", scale.masks.size()).c_str(), "0 to 1, sum 1",
+                     "weight of each noise");
   if (!scale.colors) return;
   fields.add("palette", fmt::format("{}x(3+3) float", scale.colors->palette.classes.size()), "CIELUV (D65)",
              "dominant colours and principal variations");
@@ -65,9 +68,28 @@ void add_map_fields(const Scale& scale, FieldList& fields) {
   }
 }
 
-Json fields_json(const Scale& scale) {
+void add_noise_fields(const NoiseModel& model, FieldList& fields) {
+  size_t lobes = 0;
+  for (size_t k = 0; k < model.noises.size(); ++k) {
+    const Noise& noise = model.noises[k];
+    const std::string number = fmt::format(" {}", k);
+    fields.add("spectrum" + number, fmt::format("{0}x{0}x3 float", noise.spectrum_size()), "magnitude, light",
+               "of each channel of the noise");
+    fields.add("noise tile" + number, fmt::format("{}x{}x3 half", noise.tile.width(), noise.tile.height()),
+               "linear Rec.709 light", "periodic realisation of the noise");
+    for (const NoiseChannel& channel : noise.channels) lobes += channel.lobes.lobes.size();
+  }
+  fields.add("colour bases", fmt::format("{}x(3+3x3) float", model.noises.size()), "linear Rec.709 light",
+             "mean and axes of the noises' colours");
+  fields.add("histograms", fmt::format("{}x{} float", 3 * model.noises.size(), Equalisation::kEntries), "light",
+             "transfer of each channel, -4 to 4 standard deviations");
+  fields.add("lobes", fmt::format("{}", lobes), "cycles per texel", "compact spectra, where they fit");
+}
+
+Json fields_json(const Scale& scale, const NoiseModel* noise) {
   FieldList fields(scale);
   add_color_fields(scale, fields);
+  if (noise) add_noise_fields(*noise, fields);
   add_shape_fields(scale, fields);
   add_map_fields(scale, fields);
   return fields.take();
@@ -81,11 +103,11 @@ Json palette_json(const Scale& scale) {
   return palette;
 }
 
-Json scale_json(const Scale& scale) {
+Json scale_json(const Scale& scale, const NoiseModel* noise) {
   Json json = {{"name", scale.name}, {"width", scale.width()}, {"height", scale.height_px()}};
   if (scale.tile_from_source)
     json["tileFromSource"] = Json::array({scale.tile_from_source->x, scale.tile_from_source->y});
-  json["fields"] = fields_json(scale);
+  json["fields"] = fields_json(scale, noise);
   json["palette"] = palette_json(scale);
   return json;
 }
@@ -111,7 +133,10 @@ std::string stage_text(const Json& stage) {
 
 Json info_json(const Bundle& bundle) {
   Json info = {{"version", kBundleVersion}, {"semantics", bundle.semantics}};
-  for (const Scale& scale : bundle.scales) info["scales"].push_back(scale_json(scale));
+  for (const Scale& scale : bundle.scales) {
+    const bool has_noise = bundle.noise && &scale == &bundle.scales.back();
+    info["scales"].push_back(scale_json(scale, has_noise ? &*bundle.noise : nullptr));
+  }
   info["sources"] = Json::array();
   for (const Source& source : bundle.sources)
     info["sources"].push_back(

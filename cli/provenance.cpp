@@ -16,8 +16,12 @@ std::vector<std::string> derived_stages(const std::string& verb) {
 }
 
 void drop_result(Bundle& bundle, const std::string& verb) {
+  if (verb == "estimate-psd") bundle.noise.reset();
   for (Scale& scale : bundle.scales) {
-    if (verb == "decompose") scale.structure.reset();
+    if (verb == "decompose") {
+      scale.structure.reset();
+      scale.masks.clear();
+    }
     if (verb == "fragment") scale.fragments.reset();
     if (verb == "patch") scale.patches.reset();
     if (verb == "select-contents") scale.contents.reset();

@@ -31,11 +31,42 @@ struct RenderOptions {
   }
 };
 
+/// The deformation, as it is told.
+struct DeformOptions {
+  double rotate = 0;
+  std::string stretch = "1";
+  double turbulence = 0;
+  int turbulence_cell = DeformationRequest().turbulence_cell;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.rotate, Field{.name = "rotate",
+                             .unit = "degrees",
+                             .min = -360,
+                             .max = 360,
+                             .help = "turn the structure clockwise about the origin; grain keeps its direction"});
+    visit(self.stretch, Field{.name = "stretch",
+                              .unit = "FACTOR or X,Y",
+                              .help = "show the structure so many times as large, 0.5 to 64; grain keeps its size"});
+    visit(self.turbulence, Field{.name = "turbulence",
+                                 .unit = "texels",
+                                 .min = 0,
+                                 .max = 64,
+                                 .help = "stir the structure by about so much"});
+    visit(self.turbulence_cell, Field{.name = "turbulence-cell",
+                                      .unit = "texels",
+                                      .min = 64,
+                                      .max = 1024,
+                                      .help = "size of the largest eddies, a power of two"});
+  }
+};
+
 struct Request {
   std::string bundle;
   std::string output;
   std::optional<std::string> map;
   RenderOptions options;
+  DeformOptions deform;
   WindowOptions window;
   GlOptions gl;
 };
@@ -43,8 +74,26 @@ struct Request {
 /// Rows that are drawn at a time: about this many pixels are held, whatever the size of the picture.
 constexpr int kStripPixels = 1 << 20;
 
+Deformation deformation_of(const DeformOptions& options) {
+  DeformationRequest request;
+  request.rotate_degrees = options.rotate;
+  const std::string both =
+      options.stretch.find(',') == std::string::npos ? options.stretch + "," + options.stretch : options.stretch;
+  const DecimalPoint stretch = parse_point("stretch", both);
+  const Field factor{.name = "stretch", .unit = "times", .min = 0.5, .max = 64};
+  request.stretch_x = parse_number(factor.name, factor, stretch.x);
+  request.stretch_y = parse_number(factor.name, factor, stretch.y);
+  request.turbulence_texels = options.turbulence;
+  request.turbulence_cell = options.turbulence_cell;
+  return deformation_of(request);
+}
+
 /// The reference shader has no views: their tables are no part of what an engine binds.
 void check_show(const Request& request) {
+  const bool is_deformed = !deformation_of(request.deform).is_identity();
+  if (is_deformed && (request.map || request.options.show != Show::color))
+    throw Error(ErrorKind::usage,
+                "--rotate, --stretch, --turbulence: deform the colour alone; expected neither --map nor --show");
   if (request.options.show == Show::color) return;
   const std::string asked = fmt::format("--show {}", enum_name(request.options.show));
   if (request.map) throw Error(ErrorKind::usage, asked + ": a view shows the texture; expected no --map beside it");
@@ -76,9 +125,10 @@ DrawRows row_drawer(const Request& request, const EvaluatorPlanes& planes, const
 void render(const Request& request, const std::string& path, Console& console) {
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  const EvaluatorPlanes planes = prepare(evaluator_input(bundle.scales.back()));
+  const EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   const Plane& plane = chosen_plane(planes, request.map);
-  const Window window = window_of(request.window, parse_size("size", request.options.size), planes.size);
+  Window window = window_of(request.window, parse_size("size", request.options.size), planes.size);
+  window.deformation = deformation_of(request.deform);
   const PictureFormat format{.width = window.width,
                              .height = window.height,
                              .channels = plane.channels,
@@ -91,6 +141,7 @@ Outcome run(const Request& request, Console& console) {
   const std::string path = request.output.empty() ? default_picture_path(request.bundle, ".png") : request.output;
   check_options(request.options);
   check_options(request.window);
+  check_options(request.deform);
   check_options(request.gl);
   check_show(request);
   check_picture_name(path, request.options.bits);
@@ -108,6 +159,7 @@ Action declare(CLI::App& app) {
   add_flags(app, request->options, "Options");
   add_flags(app, request->window, "Options");
   add_flags(app, request->gl, "Options");
+  add_flags(app, request->deform, "Deformation");
   add_flag(app,
            {.name = "map",
             .accepted = "NAME",
@@ -125,6 +177,7 @@ Command render_command() {
           "  texbake render leaves.texbundle -o leaves.png --size 4096x4096\n"
           "  texbake render leaves.texbundle -o patches.png --show patches --origin -512,99999999999\n"
           "  texbake render rock.texbundle -o normal.png --map normal\n"
+          "  texbake render moss.texbundle -o moss.png --rotate 30 --stretch 2,1 --turbulence 12\n"
           "  texbake render leaves.texbundle -o leaves.exr --bits float --backend gl",
           declare};
 }

@@ -61,7 +61,7 @@ std::optional<std::vector<double>> figures(const Bundle& bundle, const char* ver
 
 ReportInput report_input(const Bundle& bundle) {
   ReportInput input;
-  input.tile = evaluator_input(bundle.scales.back());
+  input.tile = evaluator_input(bundle);
   if (const auto found = figures(bundle, "select-contents", {"meanPairImpact", "worstPairImpact"}))
     input.pairs = PairImpact{(*found)[0], (*found)[1]};
   if (const auto found = figures(bundle, "fragment", {"borderDeltaE", "interiorDeltaE", "sizeLimitedShare"}))

@@ -5,36 +5,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cli/option_json.h"
 #include "cli/running_stage.h"
+#include "cli/stage_parts.h"
 #include "libbake/segment/contrast.h"
 
 namespace texbake {
 namespace {
-
-/// The scale a stage works on. Stages come before the scales are stacked.
-Scale& only_scale(Bundle& bundle) {
-  if (bundle.scales.size() != 1)
-    throw Error(ErrorKind::unsupported, fmt::format("expected a bundle of one scale, found {}; run the verb on each "
-                                                    "bundle before they are stacked",
-                                                    bundle.scales.size()));
-  return bundle.scales.front();
-}
-
-template <class T>
-const T& required(const std::optional<T>& part, const char* what, const char* verb) {
-  if (!part)
-    throw Error(ErrorKind::bad_data,
-                fmt::format("expected a bundle with {}, found none; run \"texbake {}\" first", what, verb));
-  return *part;
-}
-
-template <class Options>
-Json parameters_of(const Options& asked, const Options& effective) {
-  Json parameters = Json::object();
-  add_parameters(parameters, asked, effective);
-  return parameters;
-}
 
 Json area_figures(const Partition& partition) {
   const auto& areas = partition.areas_px;

@@ -88,7 +88,7 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
   const bool draws = request.gl.backend == Backend::gl;
   if (!draws && request.frame.frame.empty()) return;
   const Bundle bundle = read_bundle(request.bundle);
-  const EvaluatorPlanes planes = prepare(evaluator_input(bundle.scales.back()));
+  const EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   if (!request.frame.frame.empty()) {
     console.step("compare the frame");
     append(outcome, frame_outcome(request.frame, planes, console));

@@ -10,6 +10,7 @@
 #include "libbake/base/image.h"
 #include "libbake/color/palette.h"
 #include "libbake/content/content.h"
+#include "libbake/noise/estimate_psd.h"
 #include "libbake/segment/fragment.h"
 #include "libbake/segment/patch.h"
 
@@ -37,6 +38,7 @@ struct Scale {
   Image<V3f> exemplar;                  ///< linear Rec.709, half-exact, ≥ 0
   bool stores_exemplar = true;          ///< false for --colour palette: exemplar is palette_exemplar(colors)
   std::optional<Image<V3f>> structure;  ///< the base where present
+  std::vector<Image<float>> masks;      ///< K, where there is a structure: where each noise lives; see noise/masks.h
   std::optional<PrincipalVariation> colors;
   std::optional<FragmentMap> fragments;
   std::optional<PatchMap> patches;
@@ -70,7 +72,8 @@ struct Stage {
 };
 
 struct Bundle {
-  std::vector<Scale> scales;  ///< coarse to fine
+  std::vector<Scale> scales;        ///< coarse to fine
+  std::optional<NoiseModel> noise;  ///< one for each mask of the finest scale; figures and warnings are not stored
   std::vector<Source> sources;
   std::vector<Stage> stages;
   Json extensions = Json::object();

@@ -38,7 +38,12 @@ struct LoadedBundle {
   std::vector<V2i> sizes;
   Bundle bundle;
   std::vector<std::set<std::string>> planes;  ///< for each scale, the keys of the planes that were read
+  NoiseRefs noise_refs;
+  std::set<std::string> noise_planes;  ///< the same for the noises
   bool is_whole(size_t scale) const { return !refs[scale].empty() && planes[scale].size() == refs[scale].size(); }
+  bool has_whole_noise() const {
+    return !noise_refs.spectra.empty() && noise_planes.size() == noise_refs.spectra.size() + noise_refs.tiles.size();
+  }
 };
 
 /// Reads all that can be read and leaves what is wrong in `log`.

@@ -9,7 +9,7 @@
 #include "formats/bundle_io.h"
 #include "formats/json_text.h"
 #include "formats/limits.h"
-#include "formats/planes.h"
+#include "formats/noise_planes.h"
 #include "libbake/base/half.h"
 
 namespace texbake {
@@ -218,9 +218,12 @@ std::vector<std::vector<const PlaneRef*>> grouped(const PlaneRefs& refs) {
   return groups;
 }
 
-void read_scale(const std::filesystem::path& path, Manifest& manifest, size_t i, std::set<std::string>& read,
-                IssueLog& log) {
-  const PlaneRefs& refs = manifest.refs[i];
+/// Makes images for the planes of these keys, and lists them: called once a file has shown that it can hold them.
+using MakePlanes = std::function<std::vector<ScalePlane>(const std::set<std::string>& readable)>;
+
+/// Reads the file of `refs`. `read` gets the keys of the planes that are what the manifest says.
+void read_payload(const std::filesystem::path& path, const PlaneRefs& refs, const MakePlanes& make_planes,
+                  std::set<std::string>& read, IssueLog& log) {
   if (refs.empty()) return;
   const ExrReader reader(path / refs[0].file, log);
   if (!reader.is_open()) return;
@@ -230,9 +233,7 @@ void read_scale(const std::filesystem::path& path, Manifest& manifest, size_t i,
     if (reader.holds(group[0]->shape, log)) readable.insert(group[0]->key);
 
   // Only now is memory taken: the file has shown that it can hold what the manifest says.
-  Scale& scale = manifest.bundle.scales[i];
-  allocate_planes(scale, manifest.sizes[i], manifest.fragment_counts[i], readable);
-  const std::vector<ScalePlane> planes = planes_of(scale);
+  const std::vector<ScalePlane> planes = make_planes(readable);
   for (const auto& group : groups) {
     const auto plane = std::ranges::find(planes, group[0]->key, &ScalePlane::key);
     if (!readable.contains(group[0]->key) || plane == planes.end()) continue;
@@ -240,7 +241,43 @@ void read_scale(const std::filesystem::path& path, Manifest& manifest, size_t i,
       for (const PlaneRef* ref : group) read.insert(ref->key);
   }
   warn_unlisted(reader, refs, log);
-  complete_scale(scale, read, fmt::format("/scales/{}", i), log);
+}
+
+void read_scale(const std::filesystem::path& path, Manifest& manifest, size_t i, std::set<std::string>& read,
+                IssueLog& log) {
+  Scale& scale = manifest.bundle.scales[i];
+  const auto make_planes = [&](const std::set<std::string>& readable) {
+    allocate_planes(scale, manifest.sizes[i], manifest.fragment_counts[i], readable);
+    return planes_of(scale);
+  };
+  read_payload(path, manifest.refs[i], make_planes, read, log);
+  if (!read.empty()) complete_scale(scale, read, fmt::format("/scales/{}", i), log);
+}
+
+/// The sizes of spectra and tiles are the manifest's.
+void read_noise_planes(const std::filesystem::path& path, Manifest& manifest, std::set<std::string>& read,
+                       IssueLog& log) {
+  const NoiseRefs& refs = manifest.noise_refs;
+  if (refs.spectra.empty()) return;
+  std::vector<Noise>& noises = manifest.bundle.noise->noises;
+  const auto make_spectra = [&](const std::set<std::string>& readable) {
+    for (size_t k = 0; k < noises.size(); ++k) {
+      if (!readable.contains(refs.spectra[k].key)) continue;
+      for (NoiseChannel& channel : noises[k].channels) {
+        channel.spectrum = Image<float>(refs.spectra[k].shape.width, refs.spectra[k].shape.height);
+        channel.equalisation.values.assign(Equalisation::kEntries, 0.0f);
+      }
+    }
+    return spectrum_planes(*manifest.bundle.noise);
+  };
+  const auto make_tiles = [&](const std::set<std::string>& readable) {
+    for (size_t k = 0; k < noises.size(); ++k)
+      if (readable.contains(refs.tiles[k].key))
+        noises[k].tile = Image<V3f>(refs.tiles[k].shape.width, refs.tiles[k].shape.height);
+    return tile_planes(*manifest.bundle.noise);
+  };
+  read_payload(path, refs.spectra, make_spectra, read, log);
+  read_payload(path, refs.tiles, make_tiles, read, log);
 }
 
 }  // namespace
@@ -254,6 +291,8 @@ LoadedBundle load_bundle(const std::filesystem::path& path, const ReadOptions& o
   Manifest manifest = parse_manifest(loaded.manifest, options.semantics, log);
   loaded.planes.resize(manifest.refs.size());
   for (size_t i = 0; i < manifest.refs.size(); ++i) read_scale(path, manifest, i, loaded.planes[i], log);
+  read_noise_planes(path, manifest, loaded.noise_planes, log);
+  loaded.noise_refs = std::move(manifest.noise_refs);
   loaded.refs = std::move(manifest.refs);
   loaded.sizes = std::move(manifest.sizes);
   loaded.bundle = std::move(manifest.bundle);

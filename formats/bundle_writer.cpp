@@ -11,7 +11,7 @@
 
 #include "formats/bundle_io.h"
 #include "formats/json_text.h"
-#include "formats/planes.h"
+#include "formats/noise_planes.h"
 #include "formats/schema.h"
 
 namespace texbake {
@@ -30,24 +30,46 @@ Error failure(const fs::path& path, const char* action) {
                                           path.string(), action, std::strerror(errno)));
 }
 
+/// One file of planes.
+struct Payload {
+  PlaneRefs refs;
+  std::vector<ScalePlane> planes;
+  V2i size{0, 0};  ///< displayWindow
+
+  const std::string& name() const { return refs.at(0).file; }
+};
+
 /// Everything of a bundle that is written, before anything is written.
 struct Plan {
-  std::vector<PlaneRefs> refs;
+  std::vector<Payload> payloads;
   std::string manifest;
-  std::set<std::string> payloads;
+
+  bool has_payload(const std::string& name) const {
+    return std::ranges::find(payloads, name, &Payload::name) != payloads.end();
+  }
 };
+
+std::vector<Payload> payloads_of(const Bundle& bundle, const BundleRefs& refs) {
+  std::vector<Payload> payloads;
+  for (size_t i = 0; i < bundle.scales.size(); ++i)
+    payloads.push_back({refs.scales[i], planes_of(bundle.scales[i]), bundle.scales[i].size()});
+  if (!bundle.noise) return payloads;
+  payloads.push_back({refs.noise.spectra, spectrum_planes(*bundle.noise), spectra_size(*bundle.noise)});
+  payloads.push_back({refs.noise.tiles, tile_planes(*bundle.noise), tiles_size(*bundle.noise)});
+  return payloads;
+}
 
 Plan make_plan(const Bundle& bundle, const fs::path& path) {
   if (bundle.semantics != kSemantics)
     throw Error(ErrorKind::unsupported, fmt::format("{}: expected semantics {} to write, found {}; use a newer texbake",
                                                     path.string(), kSemantics, bundle.semantics));
   Plan plan;
-  plan.refs = plane_refs(bundle);
-  const Json manifest = manifest_json(bundle, scales_json(bundle, plan.refs));
+  const BundleRefs refs = plane_refs(bundle);
+  const Json manifest = manifest_json(bundle, state_json(bundle, refs));
   IssueLog log(path.string(), IssueLog::OnError::throw_first);
   check_schema(manifest, log);
   plan.manifest = print_json(manifest);
-  for (const PlaneRefs& refs : plan.refs) plan.payloads.insert(refs.at(0).file);
+  plan.payloads = payloads_of(bundle, refs);
   return plan;
 }
 
@@ -95,21 +117,21 @@ bool holds_already(const fs::path& file, const PlaneRefs& refs) {
   return reader.part_names() == parts;
 }
 
-void write_payload(const Scale& scale, const PlaneRefs& refs, const fs::path& folder, const StepHook& hook) {
-  const fs::path path = folder / refs.at(0).file;
-  if (holds_already(path, refs)) return;
+void write_payload(const Payload& payload, const fs::path& folder, const StepHook& hook) {
+  const fs::path path = folder / payload.name();
+  if (holds_already(path, payload.refs)) return;
   std::vector<ExrPart> parts;
-  for (const ScalePlane& plane : planes_of(scale))
+  for (const ScalePlane& plane : payload.planes)
     if (parts.empty() || parts.back().shape.part != plane.shape.part) parts.push_back(exr_part(plane));
   SafeFile file(path, hook);
-  if (hook) hook("write " + refs.at(0).file);
-  write_exr(file, scale.size(), parts);
+  if (hook) hook("write " + payload.name());
+  write_exr(file, payload.size, parts);
   file.commit();
 }
 
 /// Payloads first, the manifest last: until its name appears, the folder is the old bundle or none.
-void write_files(const Bundle& bundle, const Plan& plan, const fs::path& folder, const StepHook& hook) {
-  for (size_t i = 0; i < bundle.scales.size(); ++i) write_payload(bundle.scales[i], plan.refs[i], folder, hook);
+void write_files(const Plan& plan, const fs::path& folder, const StepHook& hook) {
+  for (const Payload& payload : plan.payloads) write_payload(payload, folder, hook);
   SafeFile manifest(folder / kManifestName, hook);
   if (hook) hook(std::string("write ") + kManifestName);
   manifest.write(plan.manifest);
@@ -122,8 +144,7 @@ void tidy(const fs::path& folder, const Plan& plan, const StepHook& hook) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (is_temporary_name(name) || (is_payload_name(name) && !plan.payloads.contains(name)))
-      old.push_back(entry.path());
+    if (is_temporary_name(name) || (is_payload_name(name) && !plan.has_payload(name))) old.push_back(entry.path());
   }
   std::ranges::sort(old);
   for (const fs::path& path : old) {
@@ -132,10 +153,10 @@ void tidy(const fs::path& folder, const Plan& plan, const StepHook& hook) {
   }
 }
 
-void replace_bundle(const Bundle& bundle, const Plan& plan, const fs::path& path, const StepHook& hook) {
+void replace_bundle(const Plan& plan, const fs::path& path, const StepHook& hook) {
   const FolderLock lock(path);
   if (!lock) throw refusal(path, "a bundle that another program is writing");
-  write_files(bundle, plan, path, hook);
+  write_files(plan, path, hook);
   tidy(path, plan, hook);
 }
 
@@ -154,13 +175,13 @@ void remove_dead_staging(const fs::path& path) {
   for (const fs::path& folder : dead) fs::remove_all(folder, ignored);
 }
 
-void create_bundle(const Bundle& bundle, const Plan& plan, const fs::path& path, const StepHook& hook) {
+void create_bundle(const Plan& plan, const fs::path& path, const StepHook& hook) {
   remove_dead_staging(path);
   Unfinished staging(path.parent_path() / fmt::format("{}{}", staging_prefix(path), ::getpid()));
   if (hook) hook("create folder");
   if (::mkdir(staging.path().c_str(), 0777) != 0) throw failure(path, "create the folder");
   const FolderLock lock(staging.path());
-  write_files(bundle, plan, staging.path(), hook);
+  write_files(plan, staging.path(), hook);
   if (hook) hook("rename folder");
   // rename(2) replaces nothing but an empty folder.
   if (::rename(staging.path().c_str(), path.c_str()) != 0) throw failure(path, "name the folder");
@@ -199,9 +220,9 @@ void write_bundle(const Bundle& bundle, const fs::path& target, const WriteOptio
                                            path.string(), path.parent_path().string()));
   const Plan plan = make_plan(bundle, path);
   if (is_new)
-    create_bundle(bundle, plan, path, options.hook);
+    create_bundle(plan, path, options.hook);
   else
-    replace_bundle(bundle, plan, path, options.hook);
+    replace_bundle(plan, path, options.hook);
 }
 
 }  // namespace texbake

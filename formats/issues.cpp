@@ -76,6 +76,8 @@ constexpr IssueKind kKinds[] = {
     {height_range, "height-range", kError, kData, "heights are outside 0 to 1", kBakeAgain},
     {map_range, "map-range", kError, kData,
      "values of a map from an integer source are outside 0 to 1 (normals: -1 to 1)", kBakeAgain},
+    {mask_range, "mask-range", kError, kData, "weights of a mask are outside 0 to 1", kBakeAgain},
+    {spectrum_range, "spectrum-range", kError, kData, "magnitudes of a spectrum are negative", kBakeAgain},
 
     {palette_unit, "palette-unit", kError, kData, "a direction of variation is not a unit vector", kBakeAgain},
     {palette_sign, "palette-sign", kError, kData, "the largest component of a direction of variation is not positive",
@@ -104,6 +106,13 @@ constexpr IssueKind kKinds[] = {
      kBakeAgain},
     {content_repeated, "content-repeated", kWarning, kData, "a patch has the same content twice",
      "run select-contents again"},
+    {mask_sum, "mask-sum", kError, kData, "masks are not multiples of 1/2048 whose sum is 1", kBakeAgain},
+    {spectrum_form, "spectrum-form", kError, kData, "a spectrum is not even, or is not 0 at frequency 0", kBakeAgain},
+    {noise_axes, "noise-axes", kError, kData, "the axes of a noise's colours are not orthonormal", kBakeAgain},
+    {noise_tile, "noise-tile", kWarning, kData, "the variance of a noise tile is far from that of its spectrum",
+     "run estimate-psd again"},
+    {noise_strength, "noise-strength", kWarning, kData,
+     "the variance of a spectrum is far from that of exemplar - structure inside its mask", "run estimate-psd again"},
 
     {state_mismatch, "state-mismatch", kError, kData, "the output of the last stage is not the state of the bundle",
      kBakeAgain},

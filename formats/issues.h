@@ -59,6 +59,8 @@ enum class IssueId : int {
   fragment_class_range = 406,
   height_range = 407,
   map_range = 408,
+  mask_range = 409,
+  spectrum_range = 410,
 
   palette_unit = 501,
   palette_sign = 502,
@@ -77,6 +79,11 @@ enum class IssueId : int {
   content_translation = 532,
   content_matrix = 533,
   content_repeated = 534,
+  mask_sum = 541,
+  spectrum_form = 542,
+  noise_axes = 543,
+  noise_tile = 544,
+  noise_strength = 545,
 
   state_mismatch = 601,
   chain_broken = 602,

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "formats/json_text.h"
-#include "formats/planes.h"
+#include "formats/noise_manifest.h"
+#include "formats/plane_refs.h"
 #include "formats/sha256.h"
-#include "libbake/base/parallel.h"
 
 namespace texbake {
 namespace {
@@ -18,18 +18,10 @@ constexpr const char* kGenerator = "texbake " TEXBAKE_VERSION;
 Json json_of(V2i v) { return Json::array({v.x, v.y}); }
 Json json_of(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
 
-Json json_of(const PlaneRef& ref) {
-  return {{"file", ref.file},
-          {"part", ref.shape.part},
-          {"channels", ref.shape.channels},
-          {"type", name_of(ref.shape.type)},
-          {"pixelHash", ref.pixel_hash}};
-}
-
 Json planes_json(const PlaneRefs& refs) {
   Json planes = Json::object();
   for (const PlaneRef& ref : refs)
-    if (!ref.key.starts_with(kMapKey)) planes[ref.key] = json_of(ref);
+    if (!ref.key.starts_with(kMapKey)) planes[ref.key] = plane_json(ref);
   return planes;
 }
 
@@ -42,7 +34,7 @@ Json maps_json(const std::vector<Map>& maps, const PlaneRefs& refs) {
                     {"sourceBits", map.source_bits},
                     {"sourceFloat", map.is_float},
                     {"convention", map.convention},
-                    {"plane", json_of(*ref)}});
+                    {"plane", plane_json(*ref)}});
   }
   return list;
 }
@@ -91,21 +83,6 @@ Json scale_json(const Scale& scale, const PlaneRefs& refs) {
   return json;
 }
 
-PlaneRefs hash_planes(const Scale& scale) {
-  const std::vector<ScalePlane> planes = planes_of(scale);
-  PlaneRefs refs(planes.size());
-  parallel_for(0, static_cast<int>(planes.size()), [&](int i) {
-    const auto at = static_cast<size_t>(i);
-    const bool shared = at > 0 && planes[at].shape.part == planes[at - 1].shape.part;
-    refs[at] = {planes[at].key, "", planes[at].shape, shared ? "" : pixel_hash(exr_part(planes[at]))};
-  });
-  for (size_t i = 1; i < refs.size(); ++i)
-    if (refs[i].pixel_hash.empty()) refs[i].pixel_hash = refs[i - 1].pixel_hash;
-  const std::string file = payload_name(scale.name, refs);
-  for (PlaneRef& ref : refs) ref.file = file;
-  return refs;
-}
-
 Json object_or_empty(const Json& json) { return json.is_null() ? Json::object() : json; }
 
 Json stage_json(const Stage& stage) {
@@ -137,27 +114,30 @@ std::string payload_name(const std::string& scale_name, const PlaneRefs& refs) {
   return fmt::format("{}-{}.exr", scale_name, content_hash(refs).substr(0, 12));
 }
 
-std::vector<PlaneRefs> plane_refs(const Bundle& bundle) {
-  std::vector<PlaneRefs> refs;
-  for (const Scale& scale : bundle.scales) refs.push_back(hash_planes(scale));
+BundleRefs plane_refs(const Bundle& bundle) {
+  BundleRefs refs;
+  for (const Scale& scale : bundle.scales) refs.scales.push_back(hash_planes(planes_of(scale), scale.name));
+  if (bundle.noise) refs.noise = noise_refs(*bundle.noise);
   return refs;
 }
 
-Json scales_json(const Bundle& bundle, const std::vector<PlaneRefs>& refs) {
-  Json scales = Json::array();
-  for (size_t i = 0; i < refs.size(); ++i) scales.push_back(scale_json(bundle.scales[i], refs[i]));
-  return scales;
+StateJson state_json(const Bundle& bundle, const BundleRefs& refs) {
+  StateJson state{Json::array(), {}};
+  for (size_t i = 0; i < refs.scales.size(); ++i) state.scales.push_back(scale_json(bundle.scales[i], refs.scales[i]));
+  if (bundle.noise) state.noise = noise_json(*bundle.noise, refs.noise);
+  return state;
 }
 
-std::string state_hash(const Json& scales, const std::vector<Source>& sources) {
-  if (!scales.empty()) return sha256(compact_json(scales));
+std::string state_hash(const StateJson& state, const std::vector<Source>& sources) {
+  const std::string noise = state.noise.is_null() ? "" : compact_json(state.noise);
+  if (!state.scales.empty()) return sha256(compact_json(state.scales) + noise);
   std::string lines;
   for (const Source& source : sources) lines += fmt::format("{} {}\n", source.role, source.sha256);
   return sha256(lines);
 }
 
 std::string state_hash(const Bundle& bundle) {
-  return state_hash(scales_json(bundle, plane_refs(bundle)), bundle.sources);
+  return state_hash(state_json(bundle, plane_refs(bundle)), bundle.sources);
 }
 
 void record_stage(Bundle& bundle, Stage stage, const std::string& input) {
@@ -166,14 +146,15 @@ void record_stage(Bundle& bundle, Stage stage, const std::string& input) {
   bundle.stages.push_back(std::move(stage));
 }
 
-Json manifest_json(const Bundle& bundle, const Json& scales) {
+Json manifest_json(const Bundle& bundle, const StateJson& state) {
   Json json = {{"asset",
                 {{"kind", "texbake.bundle"},
                  {"version", kBundleVersion},
                  {"minVersion", kBundleVersion},
                  {"semantics", kSemantics}}},
                {"generator", kGenerator},
-               {"scales", scales}};
+               {"scales", state.scales}};
+  if (!state.noise.is_null()) json["noise"] = state.noise;
   json["sources"] = Json::array();
   for (const Source& source : bundle.sources) json["sources"].push_back(source_json(source));
   json["stages"] = Json::array();

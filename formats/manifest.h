@@ -24,25 +24,42 @@ struct PlaneRef {
 /// The planes of one scale.
 using PlaneRefs = std::vector<PlaneRef>;
 
+/// The planes of the noises, in their two files; empty without noise.
+struct NoiseRefs {
+  PlaneRefs spectra;
+  PlaneRefs tiles;
+};
+
 /// The hash that names the payload file of `refs`: SHA-256 of one line for each part, in the order of the file,
 ///   PART WIDTH HEIGHT TYPE CHANNEL,CHANNEL,... PIXELHASH\n
 std::string content_hash(const PlaneRefs& refs);
 /// NAME-<12 digits of the content hash>.exr
 std::string payload_name(const std::string& scale_name, const PlaneRefs& refs);
 
-/// Hashes every plane and names the file of each scale.
-std::vector<PlaneRefs> plane_refs(const Bundle& bundle);
+/// Where all planes of a bundle lie.
+struct BundleRefs {
+  std::vector<PlaneRefs> scales;
+  NoiseRefs noise;
+};
+/// Hashes every plane and names the files.
+BundleRefs plane_refs(const Bundle& bundle);
 
-/// The member `scales`: together with the pixels that it names by their hashes, the state of a bundle.
-Json scales_json(const Bundle& bundle, const std::vector<PlaneRefs>& refs);
-/// SHA-256 of `scales` without white space; while there is no scale, of one line "ROLE SHA256\n" for each source.
-std::string state_hash(const Json& scales, const std::vector<Source>& sources);
+/// The members `scales` and `noise` (null without noise): together with the pixels that they name by their hashes, the
+/// state of a bundle.
+struct StateJson {
+  Json scales;
+  Json noise;
+};
+StateJson state_json(const Bundle& bundle, const BundleRefs& refs);
+/// SHA-256 of `scales`, and of `noise` behind it where there is one, without white space; while there is no scale, of
+/// one line "ROLE SHA256\n" for each source.
+std::string state_hash(const StateJson& state, const std::vector<Source>& sources);
 std::string state_hash(const Bundle& bundle);
 
 /// Appends `stage` with its output; `input` is the state_hash of the bundle that the stage read.
 void record_stage(Bundle& bundle, Stage stage, const std::string& input);
 
-Json manifest_json(const Bundle& bundle, const Json& scales);
+Json manifest_json(const Bundle& bundle, const StateJson& state);
 
 /// A manifest read back: the bundle without pixels, and where they are.
 struct Manifest {
@@ -50,6 +67,7 @@ struct Manifest {
   std::vector<V2i> sizes;               ///< of each scale
   std::vector<size_t> fragment_counts;  ///< of each scale; the tables wait for their planes
   std::vector<PlaneRefs> refs;          ///< of each scale
+  NoiseRefs noise_refs;
 };
 
 /// Checks versions, then the schema, then what the schema cannot say. A scale with errors has no refs.

@@ -6,25 +6,15 @@
 #include "formats/asset.h"
 #include "formats/json_text.h"
 #include "formats/manifest.h"
-#include "formats/planes.h"
+#include "formats/noise_manifest.h"
+#include "formats/plane_refs.h"
 #include "formats/schema.h"
 
 namespace texbake {
 namespace {
 
-void warn_unknown(const Json& object, const std::string& pointer, const std::set<std::string>& known, IssueLog& log) {
-  for (const auto& [key, value] : object.items())
-    if (!known.contains(key))
-      log.add({IssueId::member_unknown, {.pointer = pointer + "/" + key}, "expected a member of version 1.0"});
-}
-
 V2i texel_of(const Json& json) { return {json[0].get<int>(), json[1].get<int>()}; }
 V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
-
-bool is_plain_file_name(const std::string& name) {
-  return !name.empty() && name.front() != '.' && name != kManifestName &&
-         name.find_first_of(std::string("/\\:\0", 4)) == std::string::npos;
-}
 
 /// Reads one scale; the schema has vouched for every member's shape.
 class ScaleReader {
@@ -33,10 +23,10 @@ class ScaleReader {
       : json_(json), pointer_(std::move(pointer)), manifest_(manifest), log_(log) {}
 
   void read() {
-    warn_unknown(json_, pointer_,
-                 {"name", "size", "tiling", "tileFromSource", "planes", "maps", "mean", "palette", "fragments",
-                  "patches", "contents"},
-                 log_);
+    warn_unknown_members(json_, pointer_,
+                         {"name", "size", "tiling", "tileFromSource", "planes", "maps", "mean", "palette", "fragments",
+                          "patches", "contents"},
+                         log_);
     scale_.name = json_["name"];
     size_ = texel_of(json_["size"]);
     if (json_.contains("tiling") && json_["tiling"] != 1)
@@ -50,7 +40,7 @@ class ScaleReader {
     read_contents();
     read_planes();
     read_maps();
-    check_file();
+    check_payload_name(scale_.name, refs_, pointer_ + "/planes", log_);
     if (log_.error_below(pointer_)) refs_.clear();
     manifest_.bundle.scales.push_back(std::move(scale_));
     manifest_.sizes.push_back(size_);
@@ -73,6 +63,8 @@ class ScaleReader {
     const bool palette = json_.contains("palette"), fragments = json_.contains("fragments"),
                patches = json_.contains("patches"), contents = json_.contains("contents");
     need(palette, "palette", "no plane exemplar", !scale_.stores_exemplar);
+    need(has(kMasksKey), "plane masks", "plane structure", has("structure"));
+    need(has("structure"), "plane structure", "plane masks", has(kMasksKey));
     need(has("index"), "plane index", "palette", palette);
     need(has("variation"), "plane variation", "palette", palette);
     need(palette, "palette", "plane index or variation", has("index") || has("variation"));
@@ -147,11 +139,13 @@ class ScaleReader {
   }
 
   void read_planes() {
-    static const std::set<std::string> known = {"preview",  "exemplar",      "structure",     "index", "variation",
-                                                "fragment", "fragmentClass", "fragmentColor", "patch", "height"};
-    warn_unknown(json_["planes"], pointer_ + "/planes", known, log_);
+    static const std::set<std::string> known = {"preview",       "exemplar",  "structure", kMasksKey,
+                                                "index",         "variation", "fragment",  "fragmentClass",
+                                                "fragmentColor", "patch",     "height"};
+    warn_unknown_members(json_["planes"], pointer_ + "/planes", known, log_);
     for (const auto& [key, plane] : json_["planes"].items()) {
       const bool is_table = key == "fragmentClass" || key == "fragmentColor";
+      if (key == kMasksKey) scale_.masks.resize(plane["channels"].size());
       if (known.contains(key))
         add_ref(key, plane, "/planes/" + key, is_table ? table_size(fragment_count_, size_) : size_);
     }
@@ -183,22 +177,7 @@ class ScaleReader {
   }
 
   void add_ref(const std::string& key, const Json& plane, const std::string& below, V2i size) {
-    const std::string file = plane["file"];
-    if (!is_plain_file_name(file))
-      issue(IssueId::file_name_unsafe, below + "/file",
-            fmt::format("expected a plain file name, found {}", compact_json(plane["file"])));
-    const std::string type = plane["type"];
-    PlaneShape shape{plane["part"], plane["channels"], PixelType::half, size.x, size.y};
-    if (type != "half") shape.type = type == "uint" ? PixelType::uint : PixelType::float32;
-    refs_.push_back({key, file, std::move(shape), plane["pixelHash"]});
-  }
-
-  /// All planes of a scale lie in one file, whose name tells what it holds.
-  void check_file() {
-    const std::string expected = payload_name(scale_.name, refs_);
-    for (const PlaneRef& ref : refs_)
-      if (ref.file != expected && is_plain_file_name(ref.file))
-        return issue(IssueId::file_name_hash, "/planes", fmt::format("expected {}, found {}", expected, ref.file));
+    refs_.push_back(plane_ref(key, plane, pointer_ + below, size, log_));
   }
 
   const Json& json_;
@@ -250,6 +229,8 @@ Manifest parse_manifest(const Json& json, Semantics semantics, IssueLog& log) {
 
   manifest.bundle.semantics = json["asset"]["semantics"].get<int>();
   if (json.contains("scales") && json["scales"].is_array()) read_scales(json["scales"], manifest, log);
+  if (root_is_sound("noise") && root_is_sound("scales") && !manifest.bundle.scales.empty())
+    read_noise(json["noise"], manifest.bundle.scales.back().masks.size(), manifest, log);
   if (root_is_sound("sources") && root_is_sound("stages")) read_provenance(json, manifest.bundle);
   if (root_is_sound("extensions")) manifest.bundle.extensions = json["extensions"];
   if (root_is_sound("extras")) manifest.bundle.extras = json["extras"];
@@ -258,7 +239,7 @@ Manifest parse_manifest(const Json& json, Semantics semantics, IssueLog& log) {
                                        "extensions", "extensionsRequired", "extras"};
   for (const auto& [key, value] : json.items())
     if (!known.contains(key)) manifest.bundle.unknown[key] = value;
-  warn_unknown(json, "", known, log);
+  warn_unknown_members(json, "", known, log);
   return manifest;
 }
 

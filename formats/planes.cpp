@@ -18,7 +18,7 @@ template <class T>
 constexpr bool writable = !std::is_const_v<std::remove_reference_t<T>>;
 
 ScalePlane plane(const std::string& key, const std::string& part, std::vector<std::string> channels, PixelType type,
-            V2i size, ChannelRange range) {
+                 V2i size, ChannelRange range) {
   ScalePlane result;
   result.key = key;
   result.ranges.assign(channels.size(), range);
@@ -53,10 +53,29 @@ ScalePlane float_plane(const std::string& name, PixelType type, ImageT& image, C
   return result;
 }
 
+/// The weights of all noises: one channel for each.
+template <class ImagesT>
+ScalePlane mask_plane(ImagesT& masks) {
+  std::vector<std::string> channels;
+  for (size_t k = 0; k < masks.size(); ++k) channels.push_back("mask" + std::to_string(k));
+  ScalePlane result = plane(kMasksKey, "mask", std::move(channels), PixelType::half, size_of(masks.front()),
+                            {0, 1, IssueId::mask_range});
+  result.get_floats = [&masks](int c, int y, float* row) {
+    const auto& mask = masks[static_cast<size_t>(c)];
+    std::copy_n(mask.row(y), mask.width(), row);
+  };
+  if constexpr (writable<ImagesT>)
+    result.put_floats = [&masks](int c, int y, const float* row) {
+      auto& mask = masks[static_cast<size_t>(c)];
+      std::copy_n(row, mask.width(), mask.row(y));
+    };
+  return result;
+}
+
 template <class ImageT>
 ScalePlane index_plane(ImageT& index, size_t classes) {
   ScalePlane result = plane("index", "index", {"index"}, PixelType::uint, size_of(index),
-                       {0, static_cast<double>(classes) - 1, IssueId::index_range});
+                            {0, static_cast<double>(classes) - 1, IssueId::index_range});
   result.get_labels = [&index](int, int y, uint32_t* row) { std::copy_n(index.row(y), index.width(), row); };
   if constexpr (writable<ImageT>)
     result.put_labels = [&index](int, int y, const uint32_t* row) {
@@ -68,7 +87,7 @@ ScalePlane index_plane(ImageT& index, size_t classes) {
 template <class PartitionT>
 ScalePlane partition_plane(const std::string& name, PartitionT& partition) {
   ScalePlane result = plane(name, name, {"idx", "owner"}, PixelType::uint, size_of(partition.idx),
-                       {0, static_cast<double>(partition.count()) - 1, IssueId::label_range});
+                            {0, static_cast<double>(partition.count()) - 1, IssueId::label_range});
   result.ranges[1] = {0, 8, IssueId::owner_range};
   result.get_labels = [&partition](int c, int y, uint32_t* row) {
     const int width = partition.idx.width();
@@ -98,8 +117,9 @@ void for_table_row(Table& table, int width, int y, Row* row, const Copy& copy) {
 template <class Table>
 ScalePlane fragment_class_plane(Table& fragments, V2i tile, size_t classes) {
   const int width = tile.x;
-  ScalePlane result = plane("fragmentClass", "fragmentClass", {"class"}, PixelType::uint, table_size(fragments.size(), tile),
-                       {0, static_cast<double>(classes) - 1, IssueId::fragment_class_range});
+  ScalePlane result =
+      plane("fragmentClass", "fragmentClass", {"class"}, PixelType::uint, table_size(fragments.size(), tile),
+            {0, static_cast<double>(classes) - 1, IssueId::fragment_class_range});
   result.get_labels = [&fragments, width](int, int y, uint32_t* row) {
     for_table_row(fragments, width, y, row, [](const Fragment& from, uint32_t& to) { to = from.class_idx; });
   };
@@ -113,8 +133,8 @@ ScalePlane fragment_class_plane(Table& fragments, V2i tile, size_t classes) {
 template <class Table>
 ScalePlane fragment_color_plane(Table& fragments, V2i tile) {
   const int width = tile.x;
-  ScalePlane result = plane("fragmentColor", "fragmentColor", kRgb, PixelType::float32, table_size(fragments.size(), tile),
-                       {0, kAnyFloat, IssueId::color_range});
+  ScalePlane result = plane("fragmentColor", "fragmentColor", kRgb, PixelType::float32,
+                            table_size(fragments.size(), tile), {0, kAnyFloat, IssueId::color_range});
   result.get_floats = [&fragments, width](int c, int y, float* row) {
     for_table_row(fragments, width, y, row, [c](const Fragment& from, float& to) { to = from.mean_color[c]; });
   };
@@ -173,6 +193,7 @@ std::vector<ScalePlane> list_planes(ScaleT& scale) {
     planes.push_back(palette_preview(*scale.colors));
   }
   if (scale.structure) planes.push_back(color_plane("structure", "structure", *scale.structure));
+  if (!scale.masks.empty()) planes.push_back(mask_plane(scale.masks));
   if (scale.colors) {
     planes.push_back(index_plane(scale.colors->index, scale.colors->palette.classes.size()));
     planes.push_back(float_plane("variation", PixelType::half, scale.colors->variation,
@@ -210,6 +231,7 @@ void allocate_planes(Scale& scale, V2i size, size_t fragment_count, const std::s
   };
   scale.exemplar = Image<V3f>(size.x, size.y);
   if (keys.contains("structure")) allocate("structure", scale.structure.emplace());
+  for (Image<float>& mask : scale.masks) allocate(kMasksKey, mask);
   if (keys.contains("height")) allocate("height", scale.height.emplace());
   if (scale.colors) allocate("index", scale.colors->index);
   if (scale.colors) allocate("variation", scale.colors->variation);

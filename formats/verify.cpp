@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "formats/bundle_io.h"
+#include "formats/planes.h"
 #include "formats/verify_history.h"
+#include "formats/verify_noise.h"
 #include "formats/verify_scale.h"
 
 namespace texbake {
@@ -17,6 +19,8 @@ void warn_stray_files(const fs::path& path, const LoadedBundle& loaded, IssueLog
   std::set<std::string> known = {kManifestName};
   for (const PlaneRefs& refs : loaded.refs)
     if (!refs.empty()) known.insert(refs[0].file);
+  for (const PlaneRefs* refs : {&loaded.noise_refs.spectra, &loaded.noise_refs.tiles})
+    if (!refs->empty()) known.insert(refs->at(0).file);
   std::set<std::string> stray;
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(path, failed)) stray.insert(entry.path().filename().string());
@@ -39,6 +43,7 @@ void check_scale(const LoadedBundle& loaded, size_t i, IssueLog& log) {
   const ScaleUnderTest test{scale, loaded.sizes[i], fmt::format("/scales/{}", i), loaded.refs[i][0].file,
                             loaded.planes[i]};
   if (scale.colors && test.has("index")) check_palette(test, log);
+  if (test.has(kMasksKey)) check_mask_sums(test, log);
   const Json& mean = loaded.manifest["scales"][i]["mean"];
   if (loaded.is_whole(i)) check_means(test, V3f(mean[0].get<float>(), mean[1].get<float>(), mean[2].get<float>()), log);
   check_partitions(test, log);
@@ -49,6 +54,7 @@ void verify(const fs::path& path, IssueLog& log) {
   const LoadedBundle loaded = load_bundle(path, {}, log);
   if (loaded.refs.empty()) return;
   for (size_t i = 0; i < loaded.refs.size(); ++i) check_scale(loaded, i, log);
+  check_noise(loaded, log);
   if (!log.error_below("/scales")) check_scale_order(loaded.bundle, loaded.manifest["scales"], log);
   check_state(loaded, log);
   check_stages(loaded.bundle, log);

@@ -45,7 +45,8 @@ void check_counts(const Stage& stage, const Scale& scale, const std::string& poi
 void check_state(const LoadedBundle& loaded, IssueLog& log) {
   const Bundle& bundle = loaded.bundle;
   if (bundle.stages.empty() || !loaded.manifest.contains("scales")) return;
-  const std::string state = state_hash(loaded.manifest["scales"], bundle.sources);
+  const StateJson json{loaded.manifest["scales"], loaded.manifest.value("noise", Json())};
+  const std::string state = state_hash(json, bundle.sources);
   if (bundle.stages.back().output != state)
     log.add({IssueId::state_mismatch,
              {.pointer = fmt::format("/stages/{}/output", bundle.stages.size() - 1)},
@@ -63,10 +64,12 @@ void check_stages(const Bundle& bundle, IssueLog& log) {
     if (present && std::ranges::find(bundle.stages, verb, &Stage::verb) == bundle.stages.end())
       log.add({IssueId::stage_missing,
                {.pointer = "/stages"},
-               fmt::format("expected a stage {} because there are {}, found none", verb, what)});
+               fmt::format("expected a stage {} because there is {}, found none", verb, what)});
   };
+  need(bundle.noise.has_value(), "estimate-psd", "noises");
   for (const Scale& scale : bundle.scales) {
     need(scale.colors.has_value(), "convert", "colours");
+    need(scale.structure.has_value(), "decompose", "structure");
     need(scale.fragments.has_value(), "fragment", "fragments");
     need(scale.patches.has_value(), "patch", "patches");
     need(scale.contents.has_value(), "select-contents", "contents");

@@ -33,15 +33,16 @@ Json plane_json(const char* format, ImageView<const T> texels) {
           {"data", base64(texels.data(), texels.size() * sizeof(T))}};
 }
 
-Json base_json(const Plane& base) {
-  const auto* values = reinterpret_cast<const float*>(base.texels.data());
-  const size_t count = 4 * base.texels.size();
+/// Colours as halves where that is exact.
+Json color_json(const Image<glsl::vec4>& texels) {
+  const auto* values = reinterpret_cast<const float*>(texels.data());
+  const size_t count = 4 * texels.size();
   if (!std::all_of(values, values + count, [](float value) { return half_exact(value) == value; }))
-    return plane_json<glsl::vec4>("RGBA32F", base.texels);
+    return plane_json<glsl::vec4>("RGBA32F", texels);
   struct HalfTexel {
     uint16_t channels[4];
   };
-  Image<HalfTexel> halves(base.texels.width(), base.texels.height());
+  Image<HalfTexel> halves(texels.width(), texels.height());
   for (size_t i = 0; i < count; ++i) halves.data()[i / 4].channels[i % 4] = Imath::half(values[i]).bits();
   return plane_json<HalfTexel>("RGBA16F", halves);
 }
@@ -80,12 +81,15 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   Json texture = {{"semantics", kSemantics},
                   {"size", {planes.size.x, planes.size.y}},
                   {"patch_count", planes.patch_count},
-                  {"content_count", planes.content_count}};
+                  {"content_count", planes.content_count},
+                  {"noise_size", planes.noise_size}};
   Json& json = texture["planes"];
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
   json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
   json["centers"] = plane_json<glsl::ivec4>("RGBA32I", planes.centers);
-  json["base"] = base_json(planes.base);
+  json["base"] = color_json(planes.base.texels);
+  json["masks"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.masks);
+  json["noise_tiles"] = color_json(planes.noise_tiles);
   if (!planes.fragment_idx.empty()) json["fragments"] = plane_json<uint32_t>("R32UI", planes.fragment_idx);
   return "texbake.open(" + texture.dump() + ");\n";
 }

@@ -3,6 +3,16 @@ uniform usampler2D patch_plane;  // RG16UI   W x H    idx, (owner.x + 1) | (owne
 uniform isampler2D contents;     // RGBA32I  N_t x P  t.x + 65536 t.y, 65536 lambda, a, b
 uniform isampler2D centers;      // RGBA32I  P x 1    c.x, c.y, 0, 0
 uniform sampler2D base;          // RGBA32F or RGBA16F  W x H
+uniform usampler2D masks;        // RGBA16UI W x H    weights of four noises in 1/2048
+uniform sampler2D noise_tiles;   // RGBA32F or RGBA16F  T x K T: the noises, one below the other
+uniform int noise_size;          // T, a power of two; 0 without noise
 uniform ivec2 tile_size;         // W, H
 uniform uint content_count;      // N_t
 uniform uint seed;
+uniform int deformed;            // 1 where the structure is deformed; the rest is then read
+uniform ivec4 deform_matrix;     // structure from picture: xx, xy, yx, yy in 1/65536
+uniform uvec2 deform_from_tile;  // a texel of the picture, within 2^24 texels of those drawn
+uniform ivec2 deform_from;
+uniform uvec2 deform_to_tile;    // where its centre is taken from
+uniform ivec4 deform_to;         // texel x, y; 1/65536 texel x, y
+uniform ivec2 turbulence;        // amplitude in 1/256 texel, log2 of the cells' side in texels

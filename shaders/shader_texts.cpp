@@ -31,7 +31,7 @@ std::string_view shader_text(std::string_view name) {
 }
 
 std::string reference_core(ShaderLanguage language) {
-  return concatenated({prologue(language), "bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl"});
+  return concatenated({prologue(language), "bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl", "noise.glsl", "deform.glsl"});
 }
 
 std::string reference_vertex_shader(ShaderLanguage language) {

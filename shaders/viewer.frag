@@ -22,14 +22,14 @@ vec3 color_of(uint number) {
 }
 
 vec3 sample_color(Position at) {
-  if (show == 0 && step_256 < 256u) return footprint_value(base, footprint_at(at)).rgb;
+  if (show == 0 && step_256 < 256u) return footprint_layers(base, footprint_at(at), at).rgb;
   Texel texel = texel_at(at);
   Decision decision = decide(texel);
   Source source = source_of(texel, decision);
   if (show == 1) return color_of(uint(decision.patch_idx));
   if (show == 2) return color_of(texelFetch(fragments, source.nearest, 0).x);
   if (show == 3) return color_of(uint(decision.content));
-  return source_value(base, source).rgb;
+  return layered_value(base, texel, source).rgb;
 }
 
 void main() {

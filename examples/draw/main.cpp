@@ -2,8 +2,8 @@
 //
 //   draw_exemplars FOLDER [SIDE]
 //
-// writes pebbles.png, pebbles_normal.png, pebbles_height.png, pebbles_roughness.png, the same for bricks, and
-// leaves.png, SIDE texels wide (1024).
+// writes pebbles.png, pebbles_normal.png, pebbles_height.png, pebbles_roughness.png, the same for bricks,
+// lichen.png and leaves.png, SIDE texels wide (1024).
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -33,6 +33,7 @@ void write_material(const std::string& stem, const Surface& surface) {
 int draw(const std::string& folder, int side) {
   write_material(folder + "/pebbles", draw_pebbles(kOversampling * side, 1));
   write_material(folder + "/bricks", draw_bricks(kOversampling * side, 2));
+  write_color(folder + "/lichen.png", draw_lichen(kOversampling * side, 4));
   write_color(folder + "/leaves.png", draw_leaves(kOversampling * side, 3));
   return EXIT_SUCCESS;
 }

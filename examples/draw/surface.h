@@ -64,6 +64,7 @@ float smooth_step(float low, float high, float x);
 /// The drawings. `side` is the width in texels; the picture tiles where the name says nothing else.
 Surface draw_pebbles(int side, uint32_t seed);
 Surface draw_bricks(int side, uint32_t seed);
+Surface draw_lichen(int side, uint32_t seed);
 /// Does not tile.
 Surface draw_leaves(int side, uint32_t seed);
 

@@ -66,7 +66,7 @@ class InfiniteTexture {
       gl.uniform1ui(uniform('step_256'), 1);
       gl.uniform2i(uniform('first_row'), 0, 1);
       gl.uniform1i(uniform('filter_kind'), filter);
-      gl.uniform1i(uniform('plane_kind'), 0);
+      gl.uniform1i(uniform('plane_kind'), this.texture.noise_size ? 4 : 0);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       gl.readBuffer(gl.COLOR_ATTACHMENT0);
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, value[filter]);
@@ -92,6 +92,7 @@ class InfiniteTexture {
     const [x, y] = [splitCoordinate(origin.x, this.size[0]), splitCoordinate(origin.y, this.size[1])];
     gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
     gl.uniform1ui(uniform('content_count'), this.texture.content_count);
+    gl.uniform1i(uniform('noise_size'), this.texture.noise_size);
     gl.uniform1ui(uniform('seed'), seed);
     gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
     gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
@@ -117,6 +118,7 @@ class InfiniteTexture {
     const gl = this.gl;
     const kinds = {
       RG16UI: [gl.RG_INTEGER, gl.UNSIGNED_SHORT, Uint16Array],
+      RGBA16UI: [gl.RGBA_INTEGER, gl.UNSIGNED_SHORT, Uint16Array],
       R32UI: [gl.RED_INTEGER, gl.UNSIGNED_INT, Uint32Array],
       RGBA32I: [gl.RGBA_INTEGER, gl.INT, Int32Array],
       RGBA16F: [gl.RGBA, gl.HALF_FLOAT, Uint16Array],

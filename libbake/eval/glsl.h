@@ -36,6 +36,9 @@ struct ivec4 {
 struct uvec4 {
   uint x, y, z, w;
 };
+inline uvec4 operator+(const uvec4& a, const uvec4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+inline uvec4 operator*(const uvec4& a, uint b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
+inline uvec4 operator>>(const uvec4& a, uint b) { return {a.x >> b, a.y >> b, a.z >> b, a.w >> b}; }
 struct alignas(16) vec4 {
   float x, y, z, w;
   vec4() = default;
@@ -66,6 +69,12 @@ struct PatchTexel {
 };
 using usampler2D = Sampler<PatchTexel>;
 
+/// The masks: four 16-bit channels.
+struct MaskTexel {
+  uint16_t weights[4] = {2048, 0, 0, 0};
+  bool operator==(const MaskTexel&) const = default;
+};
+
 template <class T>
 const T& texel_at_index(const Sampler<T>& sampler, const ivec2& p) {
   return sampler.texels[static_cast<size_t>(p.y) * static_cast<size_t>(sampler.width) + static_cast<size_t>(p.x)];
@@ -75,6 +84,10 @@ inline ivec4 texelFetch(const isampler2D& sampler, const ivec2& p, int /*level*/
 inline uvec4 texelFetch(const usampler2D& sampler, const ivec2& p, int /*level*/) {
   const PatchTexel& texel = texel_at_index(sampler, p);
   return {texel.patch_idx, texel.owner, 0, 1};
+}
+inline uvec4 texelFetch(const Sampler<MaskTexel>& sampler, const ivec2& p, int /*level*/) {
+  const uint16_t* weights = texel_at_index(sampler, p).weights;
+  return {weights[0], weights[1], weights[2], weights[3]};
 }
 
 }  // namespace texbake::glsl

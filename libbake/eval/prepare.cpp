@@ -9,6 +9,7 @@
 #include "libbake/base/error.h"
 #include "libbake/base/parallel.h"
 #include "libbake/color/luv.h"
+#include "libbake/eval/prepare_noise.h"
 
 namespace texbake {
 namespace {
@@ -153,6 +154,7 @@ EvaluatorPlanes prepare(const EvaluatorInput& input) {
   planes.patch_count = planes.centers.width();
   planes.contents = content_table(input, planes.patch_count, planes.size);
   planes.content_count = planes.contents.width();
+  add_noise(input.noise, planes);
   for (const MapInput& map : input.maps) planes.maps.push_back(map_plane(map, planes.size));
   if (input.fragments) {
     check_size(input.fragments->partition.idx, planes.size, "fragments");

@@ -2,6 +2,7 @@
 // alike. The layout is specified in shaders/README.md.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ enum class MapKind {
   normal_opengl,   ///< vectors that turn with the content; +y points up in the picture
   normal_directx,  ///< the same; +y points down
   height,          ///< relief, which shrinks with a content that is shown smaller
+  structure,       ///< the base, where noise is added to it
 };
 
 /// A map to prepare. Views are borrowed during `prepare` only.
@@ -30,6 +32,12 @@ struct MapInput {
   std::string name;
   MapKind kind = MapKind::plain;
   std::vector<ImageView<const float>> channels;  ///< 1 to 4, all of the tile's size
+};
+
+/// The noises to prepare, 1 to 4. Views are borrowed during `prepare` only.
+struct NoiseInput {
+  std::vector<ImageView<const float>> masks;  ///< of the tile's size, multiples of 1/2048 that sum to 1
+  std::vector<ImageView<const V3f>> tiles;    ///< one for each mask, half-exact; square, their side a power of two
 };
 
 /// What `prepare` reads. Only the base is required: without patches the tile repeats unchanged, without contents every
@@ -41,6 +49,7 @@ struct EvaluatorInput {
   const FragmentMap* fragments = nullptr;
   const PrincipalVariation* colors = nullptr;
   std::vector<MapInput> maps;
+  std::optional<NoiseInput> noise = {};  ///< added to the base, which is then the structure
 };
 
 /// One picture of the tile, four floats to a texel; channels that it lacks are 0.
@@ -60,8 +69,11 @@ struct EvaluatorPlanes {
   Image<glsl::PatchTexel> patch_plane;
   Image<glsl::ivec4> contents;  ///< (t.x + 65536 t.y, 65536 λ, a, b), t in 0 … size−1
   Image<glsl::ivec4> centers;   ///< (c.x, c.y, 0, 0)
-  Plane base;
+  Plane base;                   ///< of kind `structure` with noise
   std::vector<Plane> maps;
+  int noise_size = 0;             ///< side of the noises; 0 without
+  Image<glsl::MaskTexel> masks;   ///< RGBA16UI, in 1/2048; one texel without noise
+  Image<glsl::vec4> noise_tiles;  ///< one below the other, RGBA32F (or RGBA16F); one texel without noise
 
   Image<uint32_t> fragment_idx;  ///< empty without fragments
   Image<float> variation;        ///< empty without colours

@@ -12,9 +12,18 @@ struct Program {
   isampler2D contents;
   isampler2D centers;
   sampler2D base;
+  Sampler<MaskTexel> masks;
+  sampler2D noise_tiles;
+  int noise_size = 0;
   ivec2 tile_size{1, 1};
   uint content_count = 1;
   uint seed = 0;
+  ivec4 deform_matrix{65536, 0, 0, 65536};
+  uvec2 deform_from_tile{0, 0};
+  ivec2 deform_from{0, 0};
+  uvec2 deform_to_tile{0, 0};
+  ivec4 deform_to{0, 0, 0, 0};
+  ivec2 turbulence{0, 6};
 
 #define PRECISE
 #include "shaders/hash.glsl"
@@ -22,6 +31,10 @@ struct Program {
 #include "shaders/content.glsl"
 //
 #include "shaders/sample.glsl"
+//
+#include "shaders/noise.glsl"
+//
+#include "shaders/deform.glsl"
 #undef PRECISE
 };
 

@@ -15,8 +15,9 @@ using glsl::Decision;
 using glsl::Program;
 using glsl::Texel;
 
-constexpr float kBorder = 0.02f;      ///< dark beside every hue of hue_color
-constexpr float kVariationSpan = 60;  ///< ΔE from middle grey to black or white: a wide class reaches ±50
+constexpr float kBorder = 0.02f;        ///< dark beside every hue of hue_color
+constexpr float kMiddleGrey = 0.2159f;  ///< half of the codes of sRGB
+constexpr float kVariationSpan = 60;    ///< ΔE from middle grey to black or white: a wide class reaches ±50
 
 /// A saturated colour for a label: hues by the golden ratio, so that neighbours in number are far apart in hue.
 V3f hue_color(uint32_t label) {
@@ -50,10 +51,25 @@ bool on_border(Program& program, const Shown& at, const Decision& decision) {
 
 V3f content_color(int content) { return content == 0 ? V3f(0.4f) : hue_color(static_cast<uint32_t>(content)); }
 
+V3f color_of(const glsl::vec4& value) { return {value.x, value.y, value.z}; }
+
+/// What the two layers hold at a texel.
+V3f shown_layer(Program& program, Show show, const Texel& texel, const glsl::Source& source) {
+  const V3f structure = color_of(program.source_value(program.base, source));
+  if (show == Show::structure) return structure;
+  if (show == Show::noise)
+    return V3f(kMiddleGrey) + color_of(program.layered_value(program.base, texel, source)) - structure;
+  const glsl::uvec4 weights = program.source_weights(source);
+  return (hue_color(1) * static_cast<float>(weights.x) + hue_color(2) * static_cast<float>(weights.y) +
+          hue_color(3) * static_cast<float>(weights.z) + hue_color(4) * static_cast<float>(weights.w)) /
+         2048.0f;
+}
+
 /// The colour of one texel of the view.
 V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Shown& at) {
   const Decision decision = program.decide(at.texel);
-  const glsl::ivec2 source = program.source_of(at.texel, decision).nearest;
+  const glsl::Source from = program.source_of(at.texel, decision);
+  const glsl::ivec2 source = from.nearest;
   switch (show) {
     case Show::patches:
       return on_border(program, at, decision) ? V3f(kBorder) : hue_color(static_cast<uint32_t>(decision.patch_idx));
@@ -65,6 +81,10 @@ V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Show
       return planes.dominant(source.x, source.y);
     case Show::variation:
       return V3f(std::clamp(0.5f + planes.variation(source.x, source.y) * (0.5f / kVariationSpan), 0.0f, 1.0f));
+    case Show::structure:
+    case Show::noise:
+    case Show::masks:
+      return shown_layer(program, show, at.texel, from);
     case Show::color:
       break;
   }
@@ -74,6 +94,14 @@ V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Show
 void check_show(const EvaluatorPlanes& planes, Show show) {
   const bool lacks_fragments = show == Show::fragments && planes.fragment_idx.empty();
   const bool lacks_colors = (show == Show::index || show == Show::variation) && planes.dominant.empty();
+  const bool lacks_noise =
+      (show == Show::structure || show == Show::noise || show == Show::masks) && planes.noise_size == 0;
+  if (lacks_noise)
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("--show {}: the bundle has no noise; run `texbake decompose` and `texbake estimate-psd` on it "
+                    "first",
+                    enum_name(show)));
   if (lacks_fragments || lacks_colors)
     throw Error(ErrorKind::usage, fmt::format("--show {}: the bundle has none; run `texbake {}` on it first",
                                               enum_name(show), lacks_fragments ? "fragment" : "convert"));

@@ -12,12 +12,16 @@ enum class Show {
   contents,   ///< one colour for each content, grey for the identity; patch borders dark
   index,      ///< the dominant colour of each texel's class
   variation,  ///< v as grey, middle grey where it is 0
+  structure,  ///< the texture without its noise
+  noise,      ///< the noise alone, about middle grey
+  masks,      ///< where each noise lives: a blend of one hue for each
 };
 template <>
 struct EnumNames<Show> {
   static constexpr std::pair<Show, std::string_view> values[] = {
-      {Show::color, "color"},       {Show::patches, "patches"}, {Show::fragments, "fragments"},
-      {Show::contents, "contents"}, {Show::index, "index"},     {Show::variation, "variation"}};
+      {Show::color, "color"},         {Show::patches, "patches"}, {Show::fragments, "fragments"},
+      {Show::contents, "contents"},   {Show::index, "index"},     {Show::variation, "variation"},
+      {Show::structure, "structure"}, {Show::noise, "noise"},     {Show::masks, "masks"}};
 };
 
 /// Rows of the window in linear Rec.709. All views but `color` show the nearest texel, whatever the filter. Throws

@@ -178,8 +178,14 @@ void check_window(const Window& window, V2i tile_size) {
 
 Image<V3f> render_rows(const EvaluatorPlanes& planes, const Window& window, int row_begin, int row_end) {
   check_window(window, planes.size);
+  if (!window.deformation.is_identity()) {
+    const auto deformed = [](RowProgram& program, const Texel& texel) {
+      return program.deformed_value(program.base, texel);
+    };
+    return draw(program_of(planes, window), deformed, window, row_begin, row_end);
+  }
   const auto value = [](RowProgram& program, const Texel& texel) {
-    return program.source_value(program.base, program.texel_source(texel));
+    return program.layered_value(program.base, texel, program.texel_source(texel));
   };
   return draw(program_of(planes, window.seed), value, window, row_begin, row_end);
 }
@@ -200,6 +206,9 @@ Image<V3f> render_map_rows(const EvaluatorPlanes& planes, const Plane& map, cons
     case MapKind::height:
       return draw_with(
           [=](RowProgram& p, const Texel& texel) { return p.source_height(plane, p.texel_source(texel)); });
+    case MapKind::structure:
+      return draw_with(
+          [=](RowProgram& p, const Texel& texel) { return p.layered_value(plane, texel, p.texel_source(texel)); });
     case MapKind::plain:
       break;
   }

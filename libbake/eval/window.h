@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "libbake/base/options.h"
+#include "libbake/eval/deform.h"
 #include "libbake/eval/prepare.h"
 
 namespace texbake {
@@ -43,6 +44,7 @@ struct Window {
   int height = 0;
   uint32_t seed = 0;  ///< another seed draws other contents, of the same patches
   Filter filter = Filter::bilinear;
+  Deformation deformation = {};  ///< of the colour; maps have none
 };
 
 /// Throws Error(usage) when the window is empty, its origin is outside its tile, or side · step reaches 2^32.
@@ -52,8 +54,8 @@ void check_window(const Window& window, V2i tile_size);
 /// a window is cut into rows, nor on threads.
 Image<V3f> render_rows(const EvaluatorPlanes& planes, const Window& window, int row_begin, int row_end);
 
-/// The same of a map, its channels in x, y, z; those that it lacks are 0. Normals turn with their content, are not
-/// normalised, and keep their convention; heights shrink with their content.
+/// The same of a map, without deformation, its channels in x, y, z; those that it lacks are 0. Normals turn with their
+/// content, are not normalised, and keep their convention; heights shrink with their content.
 Image<V3f> render_map_rows(const EvaluatorPlanes& planes, const Plane& map, const Window& window, int row_begin,
                            int row_end);
 

@@ -46,6 +46,7 @@ struct GlFunctions {
   PFNGLUNIFORM1UIPROC Uniform1ui = nullptr;
   PFNGLUNIFORM2IPROC Uniform2i = nullptr;
   PFNGLUNIFORM2UIPROC Uniform2ui = nullptr;
+  PFNGLUNIFORM4IPROC Uniform4i = nullptr;
   PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   PFNGLVIEWPORTPROC Viewport = nullptr;
 };
@@ -93,6 +94,7 @@ void for_each_gl_function(GlFunctions& gl, Visitor&& visit) {
   visit(gl.Uniform1ui, "glUniform1ui");
   visit(gl.Uniform2i, "glUniform2i");
   visit(gl.Uniform2ui, "glUniform2ui");
+  visit(gl.Uniform4i, "glUniform4i");
   visit(gl.UseProgram, "glUseProgram");
   visit(gl.Viewport, "glViewport");
 }

@@ -3,13 +3,14 @@
 #include <map>
 #include <optional>
 
+#include "libbake/eval/program_of.h"
 #include "libbake/gl/gl_objects.h"
 
 namespace texbake {
 namespace {
 
 /// Texture units, in the order of shaders/bindings.glsl.
-enum Unit { kPatchPlane, kContents, kCenters, kBase };
+enum Unit { kPatchPlane, kContents, kCenters, kBase, kMasks, kNoiseTiles };
 
 int plane_kind(MapKind kind) {
   switch (kind) {
@@ -19,6 +20,8 @@ int plane_kind(MapKind kind) {
       return 2;
     case MapKind::height:
       return 3;
+    case MapKind::structure:
+      return 4;
     case MapKind::plain:
       break;
   }
@@ -36,7 +39,7 @@ struct GlRenderer::State {
   const GlFunctions& gl;
   const EvaluatorPlanes& planes;
   GlProgram program;
-  GlTexture patch_plane, contents, centers;
+  GlTexture patch_plane, contents, centers, masks, noise_tiles;
   std::map<const Plane*, GlTexture> values;  ///< uploaded when first drawn
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
@@ -47,7 +50,9 @@ struct GlRenderer::State {
         program(gl, reference_vertex_shader(context.language()), fragment_shader),
         patch_plane(upload(gl, kRg16ui, planes.patch_plane)),
         contents(upload(gl, kRgba32i, planes.contents)),
-        centers(upload(gl, kRgba32i, planes.centers)) {
+        centers(upload(gl, kRgba32i, planes.centers)),
+        masks(upload(gl, kRgba16ui, planes.masks)),
+        noise_tiles(upload(gl, kRgba32f, planes.noise_tiles)) {
     gl.GenVertexArrays(1, &vertex_array);
   }
   ~State() { gl.DeleteVertexArrays(1, &vertex_array); }
@@ -65,23 +70,43 @@ struct GlRenderer::State {
     contents.bind(kContents);
     centers.bind(kCenters);
     drawn.bind(kBase);
+    masks.bind(kMasks);
+    noise_tiles.bind(kNoiseTiles);
     gl.Uniform1i(program.uniform("patch_plane"), kPatchPlane);
     gl.Uniform1i(program.uniform("contents"), kContents);
     gl.Uniform1i(program.uniform("centers"), kCenters);
     gl.Uniform1i(program.uniform("base"), kBase);
+    gl.Uniform1i(program.uniform("masks"), kMasks);
+    gl.Uniform1i(program.uniform("noise_tiles"), kNoiseTiles);
   }
 
-  void set_uniforms(const Window& window, MapKind kind) {
+  void set_deformation(const Window& window, bool is_base) {
+    const glsl::Program bound = program_of(planes, window);
+    const auto set4 = [&](const char* name, const glsl::ivec4& v) {
+      gl.Uniform4i(program.uniform(name), v.x, v.y, v.z, v.w);
+    };
+    gl.Uniform1i(program.uniform("deformed"), is_base && !window.deformation.is_identity() ? 1 : 0);
+    set4("deform_matrix", bound.deform_matrix);
+    gl.Uniform2ui(program.uniform("deform_from_tile"), bound.deform_from_tile.x, bound.deform_from_tile.y);
+    gl.Uniform2i(program.uniform("deform_from"), bound.deform_from.x, bound.deform_from.y);
+    gl.Uniform2ui(program.uniform("deform_to_tile"), bound.deform_to_tile.x, bound.deform_to_tile.y);
+    set4("deform_to", bound.deform_to);
+    gl.Uniform2i(program.uniform("turbulence"), bound.turbulence.x, bound.turbulence.y);
+  }
+
+  void set_uniforms(const Window& window, const Plane& plane) {
     gl.Uniform2i(program.uniform("tile_size"), planes.size.x, planes.size.y);
+    gl.Uniform1i(program.uniform("noise_size"), planes.noise_size);
     gl.Uniform1ui(program.uniform("content_count"), static_cast<GLuint>(planes.content_count));
     gl.Uniform1ui(program.uniform("seed"), window.seed);
+    set_deformation(window, &plane == &planes.base);
     gl.Uniform2ui(program.uniform("origin_tile"), window.origin_x.tile, window.origin_y.tile);
     gl.Uniform2i(program.uniform("origin_offset"), static_cast<GLint>(window.origin_x.offset_256),
                  static_cast<GLint>(window.origin_y.offset_256));
     gl.Uniform1ui(program.uniform("step_256"), window.step_256);
     gl.Uniform2i(program.uniform("first_row"), 0, 1);  // the lowest line, read first, is the top row
     gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::bilinear ? 1 : 0);
-    gl.Uniform1i(program.uniform("plane_kind"), plane_kind(kind));
+    gl.Uniform1i(program.uniform("plane_kind"), plane_kind(plane.kind));
   }
 };
 
@@ -101,7 +126,7 @@ void GlRenderer::draw_only(const Window& window, const Plane& plane) {
   s.target->bind();
   s.gl.UseProgram(s.program.name());
   s.bind_textures(plane);
-  s.set_uniforms(window, plane.kind);
+  s.set_uniforms(window, plane);
   s.gl.BindVertexArray(s.vertex_array);
   s.gl.DrawArrays(GL_TRIANGLES, 0, 3);
   s.gl.Finish();

@@ -16,8 +16,10 @@ namespace {
 
 constexpr double kWeakNoise = 1e-4;  // share of the variance below which there is nothing to synthesise
 
-void round_to_half(Image<V3f>& image) {
-  for (V3f& color : image) color = half_exact(color);
+/// As the bundle stores a structure: light, so not negative, which a second pass could make it.
+void round_to_light(Image<V3f>& image) {
+  for (V3f& color : image)
+    color = half_exact(V3f(std::max(color.x, 0.0f), std::max(color.y, 0.0f), std::max(color.z, 0.0f)));
 }
 
 std::vector<Image<float>> make_masks(ImageView<const V3f> exemplar, const LocalSpectra& spectra,
@@ -58,7 +60,7 @@ Image<V3f> extract_again(ImageView<const V3f> exemplar, const Image<V3f>& struct
   Image<V3f> more = extract_structure(
       noise, spectra, {.sigma = static_cast<double>(options.sigma) / 2.0, .iterations = options.iterations});
   for (size_t i = 0; i < more.size(); ++i) more.data()[i] += structure.data()[i];
-  round_to_half(more);
+  round_to_light(more);
   return more;
 }
 
@@ -88,9 +90,11 @@ void measure(ImageView<const V3f> exemplar, Decomposition& result) {
                                                      : "this exemplar's fine patterns are not random grain"));
 }
 
-LocalSizeCandidate chosen_candidate(std::vector<LocalSizeCandidate> candidates, Decomposition& result) {
+LocalSizeCandidate chosen_candidate(std::vector<LocalSizeCandidate> candidates, std::optional<int> asked,
+                                    Decomposition& result) {
   for (const LocalSizeCandidate& candidate : candidates) result.tested.push_back(candidate.test);
-  result.local_size = choose_local_size(result.tested);
+  result.local_size =
+      asked ? LocalSizeChoice{*asked, fmt::format("{} texels: asked for", *asked)} : choose_local_size(result.tested);
   return std::move(*std::find_if(candidates.begin(), candidates.end(), [&](const LocalSizeCandidate& candidate) {
     return candidate.test.local_size == result.local_size.local_size;
   }));
@@ -116,7 +120,7 @@ LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, c
   LocalSizeCandidate candidate;
   candidate.structure = extract_structure(
       exemplar, spectra, {.sigma = static_cast<double>(options.sigma), .iterations = options.iterations});
-  round_to_half(candidate.structure);
+  round_to_light(candidate.structure);
   candidate.masks =
       make_masks(exemplar, options.mask_size ? LocalSpectra(light, *options.mask_size) : spectra, options);
   candidate.synthesis = synthesise(exemplar, candidate.structure, candidate.masks, local_size);
@@ -138,16 +142,19 @@ std::vector<LocalSizeCandidate> local_size_candidates(ImageView<const V3f> exemp
 
 Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options, const Progress& progress) {
   check_decompose(exemplar, options);
+  std::vector<LocalSizeCandidate> candidates;
+  if (options.local_size)
+    candidates.push_back(decompose_at(exemplar, *options.local_size, options));
+  else
+    candidates = local_size_candidates(exemplar, options, [&](double done) { report(progress, 0.8 * done); });
+  return decompose(exemplar, options, std::move(candidates), progress);
+}
+
+Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options,
+                        std::vector<LocalSizeCandidate> candidates, const Progress& progress) {
+  check_decompose(exemplar, options);
   Decomposition result;
-  LocalSizeCandidate candidate;
-  if (options.local_size) {
-    candidate = decompose_at(exemplar, *options.local_size, options);
-    result.tested.push_back(candidate.test);
-    result.local_size = {*options.local_size, fmt::format("{} texels: asked for", *options.local_size)};
-  } else {
-    candidate = chosen_candidate(
-        local_size_candidates(exemplar, options, [&](double done) { report(progress, 0.8 * done); }), result);
-  }
+  LocalSizeCandidate candidate = chosen_candidate(std::move(candidates), options.local_size, result);
   result.structure = std::move(candidate.structure);
   result.masks = std::move(candidate.masks);
   result.result = candidate.test;

@@ -87,7 +87,7 @@ struct LocalSizeCandidate {
 };
 
 struct Decomposition {
-  Image<V3f> structure;             ///< half-exact; exemplar − structure is the noise
+  Image<V3f> structure;             ///< half-exact, ≥ 0; exemplar − structure is the noise
   std::vector<Image<float>> masks;  ///< K, and one more with sharp borders; see masks.h
   LocalSizeChoice local_size;
   std::vector<SynthesisTest> tested;  ///< every T_loc that was tried, by rising size; first pass
@@ -113,5 +113,10 @@ std::vector<LocalSizeCandidate> local_size_candidates(ImageView<const V3f> exemp
 /// fewer distinct local spectra than noises or a mask is too small for a spectrum.
 Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options = {},
                         const Progress& progress = {});
+
+/// The same from candidates that local_size_candidates made with these options; where `options.local_size` is set, its
+/// candidate is taken.
+Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options,
+                        std::vector<LocalSizeCandidate> candidates, const Progress& progress = {});
 
 }  // namespace texbake

@@ -18,6 +18,18 @@ const EvaluatorPlanes& planes_of(Contents kind) {
   return kind == Contents::moved ? moved : turned;
 }
 
+/// The same with three noises, whose masks are soft at most texels.
+const EvaluatorPlanes& noise_planes(Contents kind) {
+  const auto made = [](Contents of) {
+    SmallTile tile = random_tile({kTile, kTile}, 5, of, 1);
+    add_noise(tile, 3, kTile, 1);
+    return tile.planes();
+  };
+  static const EvaluatorPlanes moved = made(Contents::moved);
+  static const EvaluatorPlanes turned = made(Contents::turned);
+  return kind == Contents::moved ? moved : turned;
+}
+
 const EvaluatorPlanes& periodic_planes() {
   static const Image<V3f> base = random_base({kTile, kTile}, 1);
   static const EvaluatorPlanes planes = [] {
@@ -57,12 +69,16 @@ void window_bilinear_skipping(benchmark::State& s) { draw(s, planes_of(Contents:
 void window_bilinear_turned(benchmark::State& state) {
   draw(state, planes_of(Contents::turned), Filter::bilinear, 256);
 }
+void window_noise(benchmark::State& s) { draw(s, noise_planes(Contents::moved), Filter::bilinear, 256); }
+void window_noise_turned(benchmark::State& s) { draw(s, noise_planes(Contents::turned), Filter::bilinear, 256); }
 void window_periodic_bilinear(benchmark::State& state) { draw(state, periodic_planes(), Filter::bilinear, 256); }
 BENCHMARK(window_nearest)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK(window_bilinear)->Arg(1)->Arg(2)->UseRealTime();
 BENCHMARK(window_bilinear_magnified)->Arg(1)->UseRealTime();
 BENCHMARK(window_bilinear_skipping)->Arg(1)->UseRealTime();
 BENCHMARK(window_bilinear_turned)->Arg(1)->UseRealTime();
+BENCHMARK(window_noise)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK(window_noise_turned)->Arg(1)->UseRealTime();
 BENCHMARK(window_periodic_bilinear)->Arg(1)->UseRealTime();
 
 /// Single points by the shader's own walk: what a renderer of arbitrary geometry calls.

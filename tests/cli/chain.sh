@@ -9,6 +9,27 @@ texbake patch single.texbundle --count 6
 texbake select-contents single.texbundle
 same single.texbundle good.texbundle
 
+texbake convert pebbles.png -o layers.texbundle
+texbake decompose layers.texbundle --noises 2
+texbake estimate-psd layers.texbundle
+texbake fragment layers.texbundle
+texbake patch layers.texbundle --count 6
+texbake select-contents layers.texbundle
+same layers.texbundle layered.texbundle
+
+# A decomposition that runs again arrives at the same bundle, and undoes what the first made of the palette.
+texbake decompose layers.texbundle --noises 1 --local-size 2
+texbake bake pebbles.png --layers structure+noise --decompose-noises 2 --patch-count 6 -o direct.texbundle
+texbake decompose layers.texbundle --noises 2
+texbake estimate-psd layers.texbundle
+texbake fragment layers.texbundle
+texbake patch layers.texbundle --count 6
+texbake select-contents layers.texbundle
+same layers.texbundle direct.texbundle
+texbake info layered.texbundle --recipe > layered.json
+texbake bake layered.json -o recipe.texbundle
+same recipe.texbundle layered.texbundle
+
 # Into other bundles instead of in place.
 texbake convert pebbles.png "${maps[@]}" -o a.texbundle
 texbake fragment a.texbundle -o b.texbundle

@@ -10,6 +10,8 @@ make() { # make NAME [COMMAND...]: a bundle and a picture with `COMMAND... texba
   "$@" "${PROGRAM:-$TEXBAKE}" bake pebbles.png --map normal=pebbles_normal.png --map height=pebbles_height.png \
     -o "$name/a.texbundle" $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" bake leaves.png -o "$name/b.texbundle" $FLAGS
+  "$@" "${PROGRAM:-$TEXBAKE}" bake pebbles.png --layers structure+noise -o "$name/c.texbundle" $FLAGS
+  "$@" "${PROGRAM:-$TEXBAKE}" render "$name/c.texbundle" -o "$name/c.exr" --size 200x100 --bits float --rotate 20 $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" render "$name/a.texbundle" -o "$name/a.png" --size 300x200 --origin -70,9 --step 0.7 $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" render "$name/b.texbundle" -o "$name/b.exr" --size 300x200 --bits float $FLAGS
 }

@@ -77,6 +77,8 @@ TEST_F(CommandLineJson, EveryVerbWritesOneObjectOfTheSchema) {
   valid_output("fragment " + bundle + " -o " + at("b.texbundle"), 0);
   valid_output("patch " + bundle + " -o " + at("b.texbundle"), 0);
   valid_output("select-contents " + bundle + " -o " + at("b.texbundle"), 0);
+  valid_output("decompose " + bundle + " --local-size 2 -o " + at("c.texbundle"), 0);
+  valid_output("estimate-psd " + at("c.texbundle"), 0);
   valid_output("bake " + at("bricks.png") + " -o " + at("b.texbundle"), 0);
   valid_output("render " + bundle + " --size 16 -o " + at("a.png"), 0);
   valid_output("verify " + bundle, 0);

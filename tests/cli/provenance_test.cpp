@@ -14,6 +14,8 @@ Bundle baked() {
   Bundle bundle;
   bundle.scales.emplace_back();
   bundle.scales[0].structure.emplace();
+  bundle.scales[0].masks.emplace_back(1, 1, 1.0f);
+  bundle.noise.emplace();
   bundle.scales[0].fragments.emplace();
   bundle.scales[0].patches.emplace();
   bundle.scales[0].contents.emplace();
@@ -36,6 +38,13 @@ TEST(Provenance, AStageThatRunsAgainDropsWhatWasMadeFromIt) {
   EXPECT_TRUE(bundle.scales[0].structure);
 }
 
+TEST(Provenance, ADecompositionDropsItsMasksAndTheNoise) {
+  Bundle bundle = baked();
+  EXPECT_THAT(drop_stage(bundle, "decompose"), ElementsAre("estimate-psd", "fragment", "patch", "select-contents"));
+  EXPECT_FALSE(bundle.scales[0].structure || bundle.noise);
+  EXPECT_TRUE(bundle.scales[0].masks.empty());
+}
+
 TEST(Provenance, TheLastStageDropsNothingElse) {
   Bundle bundle = baked();
   EXPECT_THAT(drop_stage(bundle, "select-contents"), IsEmpty());
@@ -46,6 +55,7 @@ TEST(Provenance, TheLastStageDropsNothingElse) {
 TEST(Provenance, SpectraAndHeightsDropNothing) {
   Bundle bundle = baked();
   EXPECT_THAT(drop_stage(bundle, "estimate-psd"), IsEmpty());
+  EXPECT_FALSE(bundle.noise);
   EXPECT_THAT(drop_stage(bundle, "heightmap"), IsEmpty());
   EXPECT_TRUE(bundle.scales[0].contents);
 }

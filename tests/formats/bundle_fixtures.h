@@ -115,14 +115,61 @@ inline Map map_of(const std::string& name, int channels, int bits, int size, Ran
   return map;
 }
 
+/// Two masks: halves of the tile, with a blend between.
+inline std::vector<Image<float>> two_masks(int size) {
+  std::vector<Image<float>> masks;
+  masks.emplace_back(size, size, 0.25f);
+  masks.emplace_back(size, size, 0.75f);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size - 3; ++x) {
+      masks[0](x, y) = x < size / 2 ? 1.0f : 0.0f;
+      masks[1](x, y) = 1.0f - masks[0](x, y);
+    }
+  return masks;
+}
+
+/// A structure from which the exemplar differs by `strength` at most.
+inline Image<V3f> structure_near(const Image<V3f>& exemplar, float strength, Random& random) {
+  Image<V3f> structure = exemplar.clone();
+  for (V3f& color : structure) color = half_exact(color * (1.0f - strength * random.uniform()));
+  return structure;
+}
+
+/// Two noises whose spectra have the power of exemplar − structure, equal in all channels, and tiles of that variance.
+inline NoiseModel two_noises(const Image<V3f>& exemplar, const Image<V3f>& structure, Random& random) {
+  double power = 0;
+  for (size_t i = 0; i < exemplar.size(); ++i)
+    power += static_cast<double>((exemplar.data()[i] - structure.data()[i]).length2()) / 2;  // less the mean
+  power /= static_cast<double>(exemplar.size());
+  const auto deviation = static_cast<float>(std::sqrt(power / 3));
+  NoiseModel model;
+  for (const int size : {8, 16}) {
+    Noise& noise = model.noises.emplace_back();
+    noise.basis.axis = {V3f(0.6f, 0.8f, 0), V3f(-0.8f, 0.6f, 0), V3f(0, 0, 1)};
+    for (NoiseChannel& channel : noise.channels) {
+      channel.spectrum = Image<float>(size, size);
+      channel.spectrum(1, 2) = channel.spectrum(size - 1, size - 2) = deviation / std::sqrt(2.0f);
+      for (int i = 0; i < Equalisation::kEntries; ++i) channel.equalisation.values.push_back(random.uniform());
+      channel.lobes = {{{.power = 0.5, .centre_x_cpp = 0.25, .centre_y_cpp = -0.125, .l_xx = 3}}, 0.125};
+    }
+    noise.tile = Image<V3f>(512, 512);  // a chessboard, which is quickly written
+    for (int y = 0; y < 512; ++y)
+      for (int x = 0; x < 512; ++x)
+        noise.tile(x, y) = half_exact(V3f((x / size + y / size) % 2 == 0 ? deviation : -deviation));
+  }
+  return model;
+}
+
 inline Scale scale_with_everything(int size = 64, const std::string& name = "fine") {
   Random random(static_cast<uint64_t>(size));
   Scale scale;
   scale.name = name;
   scale.exemplar = Image<V3f>(size, size);
   for (V3f& color : scale.exemplar) color = half_exact(V3f(random.uniform(), random.uniform(), random.uniform() * 2));
+  scale.structure = structure_near(scale.exemplar, 0.5f, random);
+  scale.masks = two_masks(size);
   scale.colors = three_classes(size, random);
-  scale.fragments = square_fragments(scale.exemplar, random);
+  scale.fragments = square_fragments(*scale.structure, random);
   scale.patches = PatchMap{squares(size, size / 4)};
   scale.contents = some_contents(16, size, random);
   scale.height = Image<float>(size, size);
@@ -138,6 +185,8 @@ inline Bundle bundle_with_everything(float mark = 0.5f, int size = 64) {
   Bundle bundle;
   bundle.scales.push_back(scale_with_everything(size));
   bundle.scales[0].height->operator()(0, 0) = mark;
+  Random random(7);
+  bundle.noise = two_noises(bundle.scales[0].exemplar, *bundle.scales[0].structure, random);
   bundle.sources = {{"color", "rock.jpg", std::string(64, 'a'), 12345}};
   bundle.extras["note"] = "for tests";
   const auto record = [&](const char* verb, Json figures) {
@@ -145,6 +194,8 @@ inline Bundle bundle_with_everything(float mark = 0.5f, int size = 64) {
                  bundle.stages.empty() ? std::string(64, '0') : bundle.stages.back().output);
   };
   record("convert", {{"meanDeltaE", 1.25}});
+  record("decompose", {{"noiseShare", 0.5}});
+  record("estimate-psd", Json::object());
   record("fragment", {{"count", 64}});
   record("patch", {{"count", 16}, {"minArea", size * size / 16}});
   record("select-contents", {{"worstImpact", 1000.0}});
@@ -182,6 +233,7 @@ inline void expect_equal(const Scale& a, const Scale& b) {
   EXPECT_TRUE(a.exemplar == b.exemplar);
   EXPECT_EQ(a.stores_exemplar, b.stores_exemplar);
   EXPECT_TRUE(a.structure == b.structure);
+  EXPECT_TRUE(a.masks == b.masks);
   EXPECT_TRUE(a.height == b.height);
   EXPECT_EQ(a.tile_from_source, b.tile_from_source);
   ASSERT_EQ(a.colors.has_value(), b.colors.has_value());
@@ -207,7 +259,35 @@ inline void expect_equal(const Scale& a, const Scale& b) {
   }
 }
 
+inline void expect_equal(const NoiseChannel& a, const NoiseChannel& b) {
+  EXPECT_TRUE(a.spectrum == b.spectrum);
+  EXPECT_EQ(a.equalisation.values, b.equalisation.values);
+  EXPECT_EQ(a.lobes.error, b.lobes.error);
+  ASSERT_EQ(a.lobes.lobes.size(), b.lobes.lobes.size());
+  for (size_t i = 0; i < a.lobes.lobes.size(); ++i) {
+    const Lobe &one = a.lobes.lobes[i], &other = b.lobes.lobes[i];
+    EXPECT_EQ(one.power, other.power);
+    EXPECT_EQ(one.centre_x_cpp, other.centre_x_cpp);
+    EXPECT_EQ(one.centre_y_cpp, other.centre_y_cpp);
+    EXPECT_EQ(one.l_xx, other.l_xx);
+    EXPECT_EQ(one.l_xy, other.l_xy);
+    EXPECT_EQ(one.l_yy, other.l_yy);
+  }
+}
+
+inline void expect_equal(const NoiseModel& a, const NoiseModel& b) {
+  ASSERT_EQ(a.noises.size(), b.noises.size());
+  for (size_t k = 0; k < a.noises.size(); ++k) {
+    EXPECT_EQ(a.noises[k].basis.mean, b.noises[k].basis.mean);
+    EXPECT_EQ(a.noises[k].basis.axis, b.noises[k].basis.axis);
+    EXPECT_TRUE(a.noises[k].tile == b.noises[k].tile);
+    for (size_t c = 0; c < 3; ++c) expect_equal(a.noises[k].channels[c], b.noises[k].channels[c]);
+  }
+}
+
 inline void expect_equal(const Bundle& a, const Bundle& b) {
+  ASSERT_EQ(a.noise.has_value(), b.noise.has_value());
+  if (a.noise) expect_equal(*a.noise, *b.noise);
   ASSERT_EQ(a.scales.size(), b.scales.size());
   for (size_t i = 0; i < a.scales.size(); ++i) expect_equal(a.scales[i], b.scales[i]);
   ASSERT_EQ(a.sources.size(), b.sources.size());
@@ -231,9 +311,10 @@ inline void expect_equal(const Bundle& a, const Bundle& b) {
   EXPECT_EQ(a.unknown, b.unknown);
 }
 
-inline std::filesystem::path payload_of(const std::filesystem::path& bundle) {
+/// The payload whose name begins with `stem`.
+inline std::filesystem::path payload_of(const std::filesystem::path& bundle, const std::string& stem = "fine-") {
   for (const auto& entry : std::filesystem::directory_iterator(bundle))
-    if (entry.path().extension() == ".exr") return entry.path();
+    if (entry.path().extension() == ".exr" && entry.path().filename().string().starts_with(stem)) return entry.path();
   return {};
 }
 

@@ -55,7 +55,7 @@ TEST(BundleWriter, KilledBeforeAnyStepItLeavesTheOldBundleOrTheNew) {
     // The next writer leaves no trace of the dead one.
     write_bundle(bundle_with_everything(kNew), bundle);
     EXPECT_EQ(mark_of(bundle), kNew);
-    EXPECT_EQ(folder_contents(bundle).size(), 2u);
+    EXPECT_EQ(folder_contents(bundle).size(), 4u);
     EXPECT_EQ(folder_contents(folder.path()).size(), 1u);
   }
   EXPECT_TRUE(seen_old && seen_new);
@@ -91,7 +91,7 @@ TEST(BundleWriter, KilledAtAnyMomentItLeavesAWholeBundle) {
     EXPECT_TRUE(mark == kOld || mark == 0.25f || mark == 0.75f) << mark;
   }
   write_bundle(bundle_with_everything(kOld), bundle);
-  EXPECT_EQ(folder_contents(bundle).size(), 2u);
+  EXPECT_EQ(folder_contents(bundle).size(), 4u);
 }
 
 TEST(BundleWriter, AReaderBesideAWriterSeesTheOldBundleOrTheNew) {
@@ -163,7 +163,7 @@ TEST(BundleWriter, TwoWritersAtOnceDoNotMix) {
   };
   write_bundle(bundle_with_everything(kNew), bundle, {.hook = write_inside});
   EXPECT_EQ(mark_of(bundle), kNew);
-  EXPECT_EQ(folder_contents(bundle).size(), 2u);
+  EXPECT_EQ(folder_contents(bundle).size(), 4u);
 }
 
 }  // namespace

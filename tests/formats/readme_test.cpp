@@ -57,6 +57,20 @@ Pixels read_pixels(const fs::path& folder, const nlohmann::json& plane) {
   return pixels;
 }
 
+/// The array or object that begins at `begin`, without white space.
+std::string compacted(const std::string& text, size_t begin) {
+  std::string compact;
+  int depth = 0;
+  bool in_string = false;
+  for (size_t i = begin; i == begin || depth > 0; ++i) {
+    if (text[i] == '"') in_string = !in_string;  // no string of the bundle has an escaped quote
+    if (!in_string && (text[i] == '[' || text[i] == '{')) ++depth;
+    if (!in_string && (text[i] == ']' || text[i] == '}')) --depth;
+    if (in_string || (text[i] != ' ' && text[i] != '\n')) compact += text[i];
+  }
+  return compact;
+}
+
 class Readme : public testing::Test {
  protected:
   Readme() : bundle_(bundle_with_everything()), path_(folder_ / "a.texbundle") {
@@ -71,6 +85,13 @@ class Readme : public testing::Test {
     for (const auto& map : scale_["maps"]) planes.push_back(map["plane"]);
     return planes;
   }
+  /// Section 8: the spectra and the histogram, and the tiles.
+  std::vector<nlohmann::json> noise_planes() const {
+    std::vector<nlohmann::json> planes = {manifest_["noise"]["histogram"]};
+    for (const auto& noise : manifest_["noise"]["noises"])
+      for (const char* key : {"spectrum", "tile"}) planes.push_back(noise[key]);
+    return planes;
+  }
 
   TemporaryFolder folder_;
   Bundle bundle_;
@@ -80,6 +101,20 @@ class Readme : public testing::Test {
 
 TEST_F(Readme, PixelHashIsThatOfTheCanonicalBytes) {
   for (const auto& plane : planes()) EXPECT_EQ(sha256(read_pixels(path_, plane).bytes), plane["pixelHash"]) << plane;
+}
+
+TEST_F(Readme, PixelHashIsThatOfTheCanonicalBytesOfNoisesToo) {
+  for (const auto& plane : noise_planes())
+    EXPECT_EQ(sha256(read_pixels(path_, plane).bytes), plane["pixelHash"]) << plane;
+}
+
+TEST_F(Readme, HistogramsAndSpectraAreWhereItSays) {
+  const Pixels histogram = read_pixels(path_, manifest_["noise"]["histogram"]);
+  const Pixels spectrum = read_pixels(path_, manifest_["noise"]["noises"][1]["spectrum"]);
+  const NoiseChannel& channel = bundle_.noise->noises[1].channels[2];
+  EXPECT_EQ(histogram.at<float>(1, 0, 33, 3 * 1 + 2), channel.equalisation.values[33]);
+  EXPECT_EQ(spectrum.width, channel.spectrum.width());
+  EXPECT_EQ(spectrum.at<float>(3, 2, 1, 2), channel.spectrum(1, 2));
 }
 
 TEST_F(Readme, TheFileIsNamedByItsContentHash) {
@@ -125,18 +160,11 @@ TEST_F(Readme, OwnerOffsetsAndTheFragmentTableAreWhereItSays) {
     EXPECT_EQ(color.at<float>(3, 1, i % 64, i / 64), fragments.fragments[static_cast<size_t>(i)].mean_color.y);
 }
 
-TEST_F(Readme, TheStateHashIsThatOfScalesWithoutWhiteSpace) {
+TEST_F(Readme, TheStateHashIsThatOfScalesAndNoiseWithoutWhiteSpace) {
   const std::string text = file_text(path_ / "bundle.json");
   const size_t begin = text.find('[', text.find("\"scales\":"));
-  std::string compact;
-  int depth = 0;
-  bool in_string = false;
-  for (size_t i = begin; i == begin || depth > 0; ++i) {
-    if (text[i] == '"') in_string = !in_string;  // no string of the bundle has an escaped quote
-    if (!in_string && (text[i] == '[' || text[i] == '{')) ++depth;
-    if (!in_string && (text[i] == ']' || text[i] == '}')) --depth;
-    if (in_string || (text[i] != ' ' && text[i] != '\n')) compact += text[i];
-  }
+  std::string compact = compacted(text, begin);
+  compact += compacted(text, text.find('{', text.find("\"noise\":")));
   EXPECT_EQ(sha256(compact), manifest_["stages"].back()["output"]);
 }
 

@@ -74,14 +74,15 @@ Imf::Header imf_header(const std::string& part, int size, const char* type) {
 void promise_too_much(const fs::path& folder) {
   Bundle bundle;
   bundle.scales.emplace_back().exemplar = Image<V3f>(1, 1, V3f(0.5f));
-  std::vector<PlaneRefs> refs = plane_refs(bundle);
-  for (PlaneRef& ref : refs[0]) ref.shape.width = ref.shape.height = 16384;
-  for (PlaneRef& ref : refs[0]) ref.file = payload_name("fine", refs[0]);
-  Json scales = scales_json(bundle, refs);
-  scales[0]["size"] = {16384, 16384};
-  write_text(folder / "bundle.json", print_json(manifest_json(bundle, scales)));
+  BundleRefs refs = plane_refs(bundle);
+  PlaneRefs& planes = refs.scales[0];
+  for (PlaneRef& ref : planes) ref.shape.width = ref.shape.height = 16384;
+  for (PlaneRef& ref : planes) ref.file = payload_name("fine", planes);
+  StateJson state = state_json(bundle, refs);
+  state.scales[0]["size"] = {16384, 16384};
+  write_text(folder / "bundle.json", print_json(manifest_json(bundle, state)));
   const Imf::Header header = imf_header("preview", 16384, Imf::SCANLINEIMAGE.c_str());
-  const Imf::MultiPartOutputFile file((folder / refs[0][0].file).c_str(), &header, 1);
+  const Imf::MultiPartOutputFile file((folder / planes[0].file).c_str(), &header, 1);
 }
 
 void write_tiled(const fs::path& folder) {
@@ -96,6 +97,7 @@ void cut_to(const fs::path& file, double share) {
 
 Partition& fragments_of(Bundle& bundle) { return bundle.scales[0].fragments->partition; }
 Partition& patches_of(Bundle& bundle) { return bundle.scales[0].patches->partition; }
+Noise& first_noise(Bundle& bundle) { return bundle.noise->noises[0]; }
 ColorClass& first_class(Bundle& bundle) { return bundle.scales[0].colors->palette.classes[0]; }
 Json& scale_of(Json& manifest) { return manifest["scales"][0]; }
 
@@ -139,6 +141,9 @@ std::vector<Fault> faults_of_the_manifest() {
       {.id = count_mismatch, .manifest = [](Json& json) { scale_of(json)["contents"].erase(0); }},
       {.id = count_mismatch, .manifest = [](Json& json) { scale_of(json)["contents"][3].erase(1); }},
       {.id = count_mismatch, .manifest = [](Json& json) { scale_of(json)["fragments"]["count"] = 5000; }},
+      {.id = count_mismatch, .manifest = [](Json& json) { json["noise"]["noises"].erase(1); }},
+      {.id = plane_missing, .manifest = [](Json& json) { scale_of(json)["planes"].erase("masks"); }},
+      {.id = schema_violation, .manifest = [](Json& json) { json["noise"]["tileSize"] = 500; }},
       {.id = member_unknown, .manifest = [](Json& json) { scale_of(json)["colour"] = 1; }},
       {.id = scale_order,
        .bundle = [](Bundle& bundle) { bundle.scales.push_back(scale_with_everything(32, "finer")); }},
@@ -149,6 +154,8 @@ std::vector<Fault> faults_of_the_payload() {
   return {
       {.id = file_missing, .files = [](const fs::path& path) { fs::remove(payload_of(path)); }},
       {.id = exr_unreadable, .files = [](const fs::path& path) { cut_to(payload_of(path), 0.9); }},
+      {.id = exr_unreadable, .files = [](const fs::path& path) { cut_to(payload_of(path, "noise-"), 0.9); }},
+      {.id = file_missing, .files = [](const fs::path& path) { fs::remove(payload_of(path, "spectra-")); }},
       {.id = exr_unreadable, .files = [](const fs::path& path) { write_text(payload_of(path), "P6 64 64 255"); }},
       {.id = part_missing,
        .files =
@@ -218,6 +225,8 @@ std::vector<Fault> faults_of_the_pixels() {
       {.id = fragment_class_range,
        .bundle = [](Bundle& bundle) { bundle.scales[0].fragments->fragments[9].class_idx = 3; }},
       {.id = height_range, .bundle = [](Bundle& bundle) { bundle.scales[0].height->operator()(9, 9) = 1.5f; }},
+      {.id = mask_range, .bundle = [](Bundle& bundle) { bundle.scales[0].masks[1](9, 9) = 1.5f; }},
+      {.id = spectrum_range, .bundle = [](Bundle& bundle) { first_noise(bundle).channels[1].spectrum(3, 2) = -1; }},
       {.id = map_range, .bundle = [](Bundle& bundle) { bundle.scales[0].maps[1].planes[0](9, 9) = -0.5f; }},
   };
 }
@@ -276,11 +285,29 @@ std::vector<Fault> faults_of_the_tables() {
            }},
       {.id = content_repeated,
        .manifest = [](Json& json) { scale_of(json)["contents"][2][1] = scale_of(json)["contents"][2][2]; }},
-      {.id = state_mismatch, .manifest = [](Json& json) { json["stages"][3]["output"] = std::string(64, 'b'); }},
+      {.id = mask_sum, .bundle = [](Bundle& bundle) { bundle.scales[0].masks[1](9, 9) += 0.5f; }},
+      {.id = mask_sum,
+       .bundle =
+           [](Bundle& bundle) {
+             bundle.scales[0].masks[0](9, 9) = 0x1p-13f;  // half-exact, but no multiple of 1/2048
+             bundle.scales[0].masks[1](9, 9) = 1.0f;
+           }},
+      {.id = spectrum_form, .bundle = [](Bundle& bundle) { first_noise(bundle).channels[2].spectrum(1, 2) *= 1.5f; }},
+      {.id = spectrum_form, .bundle = [](Bundle& bundle) { first_noise(bundle).channels[2].spectrum(0, 0) = 0.5f; }},
+      {.id = noise_axes, .bundle = [](Bundle& bundle) { first_noise(bundle).basis.axis[1] *= 1.01f; }},
+      {.id = noise_tile,
+       .bundle =
+           [](Bundle& bundle) {
+             for (V3f& color : first_noise(bundle).tile) color = half_exact(color * 2.0f);
+           }},
+      {.id = noise_strength,
+       .bundle = [](Bundle& bundle) { bundle.scales[0].structure = bundle.scales[0].exemplar.clone(); }},
+      {.id = state_mismatch, .manifest = [](Json& json) { json["stages"][5]["output"] = std::string(64, 'b'); }},
       {.id = chain_broken, .manifest = [](Json& json) { json["stages"][2]["input"] = std::string(64, 'b'); }},
       {.id = stage_missing, .manifest = [](Json& json) { json["stages"].erase(1); }},
+      {.id = stage_missing, .manifest = [](Json& json) { json["stages"].erase(2); }},
       {.id = figure_implausible, .manifest = [](Json& json) { json["stages"][0]["figures"]["meanDeltaE"] = nullptr; }},
-      {.id = figure_implausible, .manifest = [](Json& json) { json["stages"][1]["figures"]["count"] = 63; }},
+      {.id = figure_implausible, .manifest = [](Json& json) { json["stages"][3]["figures"]["count"] = 63; }},
   };
 }
 
@@ -358,10 +385,10 @@ TEST(Verify, AManifestThatMayNotBeReadIsAnIoError) {
 
 TEST(Verify, ReadingThrowsTheFirstErrorOfWhatItChecks) {
   // What costs a pass over neighbours or sums is verify's alone.
-  const std::set<IssueId> only_verify = {scale_order,    palette_unit,        palette_sign,     mean_mismatch,
-                                         shape_empty,    shape_not_connected, shape_owner,      shape_too_large,
-                                         fragment_split, fragment_color,      content_identity, content_translation,
-                                         content_matrix, state_mismatch};
+  const std::set<IssueId> only_verify = {
+      scale_order,    palette_unit,    palette_sign,   mean_mismatch,  shape_empty,      shape_not_connected,
+      shape_owner,    shape_too_large, fragment_split, fragment_color, content_identity, content_translation,
+      content_matrix, mask_sum,        spectrum_form,  noise_axes,     state_mismatch};
   for (const Fault& fault : all_faults()) {
     const IssueKind& kind = issue_kind(fault.id);
     SCOPED_TRACE(kind.name);

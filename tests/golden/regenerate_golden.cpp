@@ -79,6 +79,12 @@ Json tile_json(const SmallTile& tile) {
     json["owner_y"].push_back(owner.y);
   }
   for (const V3f& c : tile.base) json["base"].push_back(color_json(c));
+  if (tile.masks.empty()) return json;
+  json["noise_size"] = tile.noises[0].width();
+  for (size_t k = 0; k < tile.masks.size(); ++k) {
+    for (const float weight : tile.masks[k]) json["masks"][k].push_back(static_cast<int>(weight * 2048));
+    for (const V3f& c : tile.noises[k]) json["noises"][k].push_back(color_json(c));
+  }
   return json;
 }
 
@@ -113,7 +119,10 @@ bool write(const std::string& path, const std::string& text) {
 bool write_all(const std::string& folder) {
   bool done = write(folder + "/plain.json", text_of(random_tile({16, 16}, 1, Contents::moved, 101)));
   done = write(folder + "/moved.json", text_of(random_tile({32, 24}, 5, Contents::moved, 102))) && done;
-  return write(folder + "/turned.json", text_of(random_tile({24, 32}, 4, Contents::turned, 103))) && done;
+  done = write(folder + "/turned.json", text_of(random_tile({24, 32}, 4, Contents::turned, 103))) && done;
+  SmallTile noise = random_tile({24, 20}, 4, Contents::turned, 104);
+  add_noise(noise, 3, 16, 104);
+  return write(folder + "/noise.json", text_of(noise)) && done;
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ class Painter {
         if (!painting.covers(x, y)) continue;
         const int i = static_cast<int>(x - painting.x0), j = static_cast<int>(y - painting.y0);
         painting.color(i, j) = content_color(content, c, dx, dy);
+        add_noise(painting.color(i, j), content, c, V2i(dx, dy), x, y);
         painting.patch(i, j) = patch;
         painting.content(i, j) = number;
         painting.source(i, j) = nearest_source(content, c, dx, dy);
@@ -89,6 +90,38 @@ class Painter {
     const double y = (double{1} * content.b * dx + double{1} * content.a * dy) / 65536;
     const V2i nearest(static_cast<int>(std::floor(x + 0.5)), static_cast<int>(std::floor(y + 0.5)));
     return wrap(c + content.translation + nearest, tile_.size());
+  }
+
+  /// Noises at the texel (x, y) of the infinite texture, weighed by what the content shows there: weights are blended
+  /// like colours, rounded down to 1/2048, and the first noise takes the rest. Products are exact in double.
+  void add_noise(V3f& color, const Content& content, V2i c, V2i d, int64_t x, int64_t y) const {
+    if (tile_.masks.empty()) return;
+    std::vector<double> weights;
+    for (const Image<float>& mask : tile_.masks) weights.push_back(content_weight(mask, content, c, d));
+    for (size_t k = 1; k < weights.size(); ++k) weights[k] = std::floor(weights[k] * 2048) / 2048;
+    weights[0] = 1;
+    for (size_t k = 1; k < weights.size(); ++k) weights[0] -= weights[k];
+    for (size_t k = 0; k < weights.size(); ++k) {
+      const Image<V3f>& noise = tile_.noises[k];
+      const int64_t n = noise.width();
+      const V3f& value = noise(static_cast<int>(x - floor_div(x, n) * n), static_cast<int>(y - floor_div(y, n) * n));
+      for (int channel = 0; channel < 3; ++channel)
+        color[channel] =
+            static_cast<float>(static_cast<double>(color[channel]) + weights[k] * static_cast<double>(value[channel]));
+    }
+  }
+
+  double content_weight(const Image<float>& mask, const Content& content, V2i c, V2i d) const {
+    const double x = (double{1} * content.a * d.x - double{1} * content.b * d.y) / 65536;
+    const double y = (double{1} * content.b * d.x + double{1} * content.a * d.y) / 65536;
+    const double x256 = std::floor(x * 256 + 0.5), y256 = std::floor(y * 256 + 0.5);
+    const int left = static_cast<int>(std::floor(x256 / 256)), top = static_cast<int>(std::floor(y256 / 256));
+    const double wx = x256 / 256 - left, wy = y256 / 256 - top;
+    const auto at = [&](int i, int j) {
+      const V2i p = wrap(c + content.translation + V2i(left + i, top + j), tile_.size());
+      return static_cast<double>(mask(p.x, p.y));
+    };
+    return (at(0, 0) * (1 - wx) + at(1, 0) * wx) * (1 - wy) + (at(0, 1) * (1 - wx) + at(1, 1) * wx) * wy;
   }
 
   /// The base at c + t + M d, blended between texel centres, the place rounded to 1/256 texel.

@@ -18,6 +18,8 @@ struct SmallTile {
   Image<V3f> base;
   PatchMap patches;
   ContentTable contents;
+  std::vector<Image<float>> masks = {};  ///< none: no noise
+  std::vector<Image<V3f>> noises = {};
 
   V2i size() const { return {base.width(), base.height()}; }
   EvaluatorInput input() const {
@@ -25,6 +27,7 @@ struct SmallTile {
     input.base = base;
     input.patches = &patches;
     input.contents = &contents;
+    if (!masks.empty()) input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}};
     return input;
   }
   EvaluatorPlanes planes() const { return prepare(input()); }
@@ -94,6 +97,39 @@ inline ContentTable random_contents(const PatchMap& patches, V2i size, int count
       table.contents.push_back(i == 0 ? Content{} : turned_content(t, eighths, scale));
     }
   return table;
+}
+
+/// `count` masks: multiples of 1/2048 that sum to 1; at a third of the texels one of them is 1.
+inline std::vector<Image<float>> random_masks(V2i size, int count, uint64_t seed) {
+  Random random(seed, 4);
+  std::vector<Image<float>> masks;
+  for (int k = 0; k < count; ++k) masks.emplace_back(size.x, size.y);
+  for (size_t i = 0; i < masks[0].size(); ++i) {
+    uint32_t left = 2048;
+    const bool is_binary = random.below(3) == 0;
+    for (int k = 0; k < count; ++k) {
+      const uint32_t drawn = is_binary ? random.below(2) * left : random.below(left + 1);
+      const uint32_t steps = k + 1 == count ? left : drawn;
+      masks[static_cast<size_t>(k)].data()[i] = static_cast<float>(steps) / 2048.0f;
+      left -= steps;
+    }
+  }
+  return masks;
+}
+
+/// Signed, half-exact.
+inline std::vector<Image<V3f>> random_noises(int side, int count, uint64_t seed) {
+  std::vector<Image<V3f>> noises;
+  for (int k = 0; k < count; ++k) {
+    noises.push_back(random_base({side, side}, seed + 100 + static_cast<uint64_t>(k)));
+    for (V3f& color : noises.back()) color = half_exact(color * 0.25f - V3f(0.5f));
+  }
+  return noises;
+}
+
+inline void add_noise(SmallTile& tile, int count, int side, uint64_t seed) {
+  tile.masks = random_masks(tile.size(), count, seed);
+  tile.noises = random_noises(side, count, seed);
 }
 
 inline SmallTile random_tile(V2i size, int count, Contents kind, uint64_t seed) {

@@ -51,6 +51,28 @@ TEST_P(Parity, MapsOfEveryKindDifferInNoBit) {
   check(prepare(input), {.windows = 8, .side = 128, .seed = 3});
 }
 
+TEST_P(Parity, NoiseDiffersInNoBitOverAMillionPoints) {
+  for (int count = 1; count <= 4; ++count) {
+    SmallTile tile = random_tile({65, 97}, 16, count % 2 == 0 ? Contents::turned : Contents::moved, 6);
+    add_noise(tile, count, 64, 6);
+    const ParityReport report = check(tile.planes(), {.windows = 4, .most_windows = 4, .side = 256, .seed = 6});
+    EXPECT_GE(report.points, 1u << 18);
+  }
+}
+
+TEST_P(Parity, DeformedWindowsDifferInNoBit) {
+  SmallTile tile = random_tile({65, 97}, 16, Contents::turned, 7);
+  add_noise(tile, 3, 64, 7);
+  const EvaluatorPlanes planes = tile.planes();
+  GlRenderer renderer(*context_, planes);
+  for (Window window : parity_windows(planes.size, {.windows = 8, .side = 128, .seed = 7})) {
+    window.deformation = deformation_of(
+        {.rotate_degrees = window.seed % 360 * 1.0, .stretch_x = 1.7, .stretch_y = 0.6, .turbulence_texels = 24});
+    const Frame expected = reference_frame(planes, window, planes.base);
+    EXPECT_EQ(renderer.draw(window, planes.base).values, expected.values);
+  }
+}
+
 TEST_P(Parity, ALargeTileDiffersInNoBit) {
   const SmallTile tile = random_tile({768, 768}, 8, Contents::turned, 4);
   check(tile.planes(), {.windows = 8, .side = 128, .seed = 4});

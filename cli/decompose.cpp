@@ -1,0 +1,45 @@
+// texbake decompose: bundle → bundle with structure and masks.
+#include "cli/layer_stages.h"
+#include "cli/stage_command.h"
+#include "formats/image_writer.h"
+
+namespace texbake {
+namespace {
+
+struct Request {
+  BundlePaths paths;
+  DecomposeOptions options;
+  std::string sheet;
+};
+
+Outcome run(const Request& request, Console& console) {
+  check_options(request.options);
+  if (!request.sheet.empty()) {
+    check_picture_name(request.sheet);
+    check_file_target(request.sheet);
+  }
+  return change_bundle(request.paths, "decompose", console,
+                       [&](Bundle& bundle) { run_decompose(bundle, request.options, request.sheet, console); });
+}
+
+Action declare(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  add_bundle_paths(app, request->paths);
+  add_flags(app, request->options, "Options");
+  app.add_option("--sheet", request->sheet,
+                 "also write a picture to choose --local-size by eye: for each size, smallest on top, exemplar, "
+                 "structure, noise, and what is made of them again; the chosen one is framed")
+      ->type_name("FILE");
+  return [request](Console& console) { return run(*request, console); };
+}
+
+}  // namespace
+
+Command decompose_command() {
+  return {"decompose", "bundle → bundle: structure and noise, and where each noise lives",
+          "  texbake decompose rock.texbundle --noises 2\n"
+          "  texbake decompose rock.texbundle --local-size auto --sheet choice.png",
+          declare};
+}
+
+}  // namespace texbake

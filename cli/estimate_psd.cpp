@@ -1,0 +1,13 @@
+// texbake estimate-psd: bundle → bundle with the noises of its masks.
+#include "cli/layer_stages.h"
+#include "cli/stage_command.h"
+
+namespace texbake {
+
+Command estimate_psd_command() {
+  return stage_command<EstimatePsdOptions>(
+      "estimate-psd", "bundle → bundle: spectra, colours and periodic tiles of the noises",
+      "  texbake estimate-psd rock.texbundle --spectrum-size 128", run_estimate_psd);
+}
+
+}  // namespace texbake

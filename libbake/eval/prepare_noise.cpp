@@ -1,0 +1,80 @@
+#include "libbake/eval/prepare_noise.h"
+
+#include <fmt/format.h>
+
+#include "libbake/base/error.h"
+#include "libbake/base/half.h"
+
+namespace texbake {
+namespace {
+
+constexpr int kSteps = 2048;  // of a weight: 2^11, so that its product with a half float is exact in a float
+constexpr size_t kMaxNoises = 4;
+
+void check_input(const NoiseInput& input, V2i size) {
+  const size_t count = input.masks.size();
+  if (count < 1 || count > kMaxNoises || input.tiles.size() != count)
+    throw Error(ErrorKind::bad_data, fmt::format("noise: expected 1 to {} masks and as many tiles, found {} and {}",
+                                                 kMaxNoises, count, input.tiles.size()));
+  for (const auto& mask : input.masks)
+    if (mask.width() != size.x || mask.height() != size.y)
+      throw Error(ErrorKind::bad_data, fmt::format("masks: expected {} x {} texels as in the base, found {} x {}",
+                                                   size.x, size.y, mask.width(), mask.height()));
+  const int side = input.tiles.front().width();
+  for (const auto& tile : input.tiles)
+    if (tile.width() != side || tile.height() != side || side < 1 || (side & (side - 1)) != 0)
+      throw Error(ErrorKind::bad_data,
+                  fmt::format("noise tiles: expected squares of one side, a power of two, found {} x {}", tile.width(),
+                              tile.height()));
+}
+
+Image<glsl::MaskTexel> mask_plane(const NoiseInput& input, V2i size) {
+  Image<glsl::MaskTexel> plane(size.x, size.y);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      int sum = 0;
+      glsl::MaskTexel texel{{0, 0, 0, 0}};
+      for (size_t k = 0; k < input.masks.size(); ++k) {
+        const float steps = input.masks[k](x, y) * kSteps;
+        const int whole = steps >= 0 && steps <= kSteps ? static_cast<int>(steps) : -1;
+        if (static_cast<float>(whole) != steps)
+          throw Error(ErrorKind::bad_data, fmt::format("masks: texel ({}, {}): expected multiples of 1/{}, found {}", x,
+                                                       y, kSteps, input.masks[k](x, y)));
+        texel.weights[k] = static_cast<uint16_t>(whole);
+        sum += whole;
+      }
+      if (sum != kSteps)
+        throw Error(ErrorKind::bad_data, fmt::format("masks: texel ({}, {}): expected weights whose sum is 1, found {}",
+                                                     x, y, static_cast<double>(sum) / kSteps));
+      plane(x, y) = texel;
+    }
+  return plane;
+}
+
+Image<glsl::vec4> stacked(const std::vector<ImageView<const V3f>>& tiles) {
+  const int side = tiles.front().width();
+  Image<glsl::vec4> stack(side, side * static_cast<int>(tiles.size()), {0, 0, 0, 0});
+  for (size_t k = 0; k < tiles.size(); ++k)
+    for (size_t i = 0; i < tiles[k].size(); ++i) {
+      const V3f color = half_exact(tiles[k].data()[i]);
+      stack.data()[k * tiles[k].size() + i] = {color.x, color.y, color.z, 0};
+    }
+  return stack;
+}
+
+}  // namespace
+
+void add_noise(const std::optional<NoiseInput>& input, EvaluatorPlanes& planes) {
+  if (!input) {
+    planes.masks = Image<glsl::MaskTexel>(1, 1);
+    planes.noise_tiles = Image<glsl::vec4>(1, 1, {0, 0, 0, 0});
+    return;
+  }
+  check_input(*input, planes.size);
+  planes.base.kind = MapKind::structure;
+  planes.noise_size = input->tiles.front().width();
+  planes.masks = mask_plane(*input, planes.size);
+  planes.noise_tiles = stacked(input->tiles);
+}
+
+}  // namespace texbake

@@ -1,0 +1,64 @@
+// The noise layer: grain that belongs to the place where it is seen, weighed by masks that belong to what is seen.
+// Based on: Guingo et al. 2017, eq. 2 and 6. Needs sample.glsl and, bound as README.md says,
+//   masks (weights of up to four noises in 1/2048), noise_tiles (the noises, one below the other),
+//   noise_size (their side, a power of two; 0 without noise).
+
+// Where a texel of the infinite texture lies in the noises: they repeat every noise_size texels, wherever tiles end.
+ivec2 noise_place(Texel at) {
+  uint last = uint(noise_size) - 1u;
+  return ivec2(int((at.tile.x * uint(tile_size.x) + uint(at.p.x)) & last),
+               int((at.tile.y * uint(tile_size.y) + uint(at.p.y)) & last));
+}
+
+// Weights between those of four texels, in 1/2048 rounded down; the first noise takes what that leaves over, so that
+// the sum stays 2048. Integers: 2048 * 65536 < 2^32.
+uvec4 blended_weights(uvec4 upper_left, uvec4 upper_right, uvec4 lower_left, uvec4 lower_right, ivec2 fraction) {
+  uint x = uint(fraction.x);
+  uint y = uint(fraction.y);
+  uvec4 upper = upper_left * (256u - x) + upper_right * x;
+  uvec4 lower = lower_left * (256u - x) + lower_right * x;
+  uvec4 blended = (upper * (256u - y) + lower * y) >> 16u;
+  blended.x = 2048u - blended.y - blended.z - blended.w;
+  return blended;
+}
+
+// The weights that the tile shows at a texel of the infinite texture.
+uvec4 source_weights(Source source) {
+  uvec4 upper_left = texelFetch(masks, source.texel, 0);
+  if (source.fraction.x == 0 && source.fraction.y == 0) return upper_left;
+  ivec2 opposite = next_texel(source.texel, tile_size);
+  return blended_weights(upper_left, texelFetch(masks, ivec2(opposite.x, source.texel.y), 0),
+                         texelFetch(masks, ivec2(source.texel.x, opposite.y), 0), texelFetch(masks, opposite, 0),
+                         source.fraction);
+}
+
+vec4 noise_value(int k, ivec2 place) { return texelFetch(noise_tiles, ivec2(place.x, place.y + k * noise_size), 0); }
+
+// A weight has at most 11 significant bits, a noise, being a half float, 11: their product is exact, so that neither a
+// fused multiply-add nor another order of factors changes a bit. Noises of weight 0 are not fetched.
+vec4 with_noise(vec4 structure, uvec4 weights, ivec2 place) {
+  const float per_2048 = 0.00048828125f;
+  PRECISE vec4 sum = structure;
+  if (weights.x != 0u) sum = sum + noise_value(0, place) * (float(weights.x) * per_2048);
+  if (weights.y != 0u) sum = sum + noise_value(1, place) * (float(weights.y) * per_2048);
+  if (weights.z != 0u) sum = sum + noise_value(2, place) * (float(weights.z) * per_2048);
+  if (weights.w != 0u) sum = sum + noise_value(3, place) * (float(weights.w) * per_2048);
+  return sum;
+}
+
+// Structure and noise at a texel of the infinite texture whose source is known.
+vec4 layered_value(sampler2D plane, Texel at, Source source) {
+  vec4 structure = source_value(plane, source);
+  if (noise_size == 0) return structure;
+  return with_noise(structure, source_weights(source), noise_place(at));
+}
+
+// The same between the four texels around a point: the sums of both layers are blended.
+vec4 footprint_layers(sampler2D plane, Footprint footprint, Position at) {
+  Texel texel = texel_at(upper_left_center(at));
+  Texel lower = below(texel);
+  return bilinear(layered_value(plane, texel, footprint.upper_left),
+                  layered_value(plane, right_of(texel), footprint.upper_right),
+                  layered_value(plane, lower, footprint.lower_left),
+                  layered_value(plane, right_of(lower), footprint.lower_right), footprint.fraction);
+}
