@@ -26,6 +26,7 @@ EvaluatorInput evaluator_input(const Scale& scale) {
   input.contents = pointer_to(scale.contents);
   input.fragments = pointer_to(scale.fragments);
   input.colors = pointer_to(scale.colors);
+  input.soft_border_px = scale.soft_border_px;
   for (const Map& map : scale.maps)
     input.maps.push_back({map.name, kind_of(map), {map.planes, map.planes + map.channels}});
   if (scale.height) input.maps.push_back({"height", MapKind::height, {*scale.height}});

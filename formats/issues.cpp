@@ -104,6 +104,8 @@ constexpr IssueKind kKinds[] = {
      kBakeAgain},
     {content_repeated, "content-repeated", kWarning, kData, "a patch has the same content twice",
      "run select-contents again"},
+    {soft_border_width, "soft-border-width", kError, kData,
+     "softBorder is wider than an eighth of the tile, or there are no patches", "run select-contents again"},
 
     {state_mismatch, "state-mismatch", kError, kData, "the output of the last stage is not the state of the bundle",
      kBakeAgain},

@@ -77,6 +77,7 @@ enum class IssueId : int {
   content_translation = 532,
   content_matrix = 533,
   content_repeated = 534,
+  soft_border_width = 535,
 
   state_mismatch = 601,
   chain_broken = 602,

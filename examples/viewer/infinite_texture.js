@@ -14,6 +14,9 @@ class InfiniteTexture {
     this.reference = this.link(shaders.vertex, shaders.reference);
     this.planes = {};
     for (const [name, plane] of Object.entries(texture.planes)) this.planes[name] = this.upload(plane);
+    this.level_count = 0;
+    for (const [name, format] of [['level_blocks', 'RG32UI'], ['level_entries', 'RG16UI'], ['base_levels', 'RGBA32F']])
+      if (!this.planes[name]) this.planes[name] = this.upload({format, width: 1, height: 1, data: 'AAAAAAAAAAAAAAAAAAAAAA=='});
     gl.bindVertexArray(gl.createVertexArray());
   }
 
@@ -66,6 +69,7 @@ class InfiniteTexture {
       gl.uniform1ui(uniform('step_256'), 1);
       gl.uniform2i(uniform('first_row'), 0, 1);
       gl.uniform1i(uniform('filter_kind'), filter);
+      gl.uniform1i(uniform('level_256'), 0);
       gl.uniform1i(uniform('plane_kind'), 0);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       gl.readBuffer(gl.COLOR_ATTACHMENT0);
@@ -92,6 +96,8 @@ class InfiniteTexture {
     const [x, y] = [splitCoordinate(origin.x, this.size[0]), splitCoordinate(origin.y, this.size[1])];
     gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
     gl.uniform1ui(uniform('content_count'), this.texture.content_count);
+    gl.uniform1i(uniform('level_count'), this.level_count);
+    gl.uniform1i(uniform('first_level'), 1);
     gl.uniform1ui(uniform('seed'), seed);
     gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
     gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
@@ -117,6 +123,7 @@ class InfiniteTexture {
     const gl = this.gl;
     const kinds = {
       RG16UI: [gl.RG_INTEGER, gl.UNSIGNED_SHORT, Uint16Array],
+      RG32UI: [gl.RG_INTEGER, gl.UNSIGNED_INT, Uint32Array],
       R32UI: [gl.RED_INTEGER, gl.UNSIGNED_INT, Uint32Array],
       RGBA32I: [gl.RGBA_INTEGER, gl.INT, Int32Array],
       RGBA16F: [gl.RGBA, gl.HALF_FLOAT, Uint16Array],

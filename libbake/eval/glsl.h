@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -36,6 +37,9 @@ struct ivec4 {
 struct uvec4 {
   uint x, y, z, w;
 };
+struct vec3 {
+  float x, y, z;
+};
 struct alignas(16) vec4 {
   float x, y, z, w;
   vec4() = default;
@@ -46,6 +50,9 @@ inline vec4 operator+(const vec4& a, const vec4& b) { return {a.x + b.x, a.y + b
 inline vec4 operator-(const vec4& a, const vec4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
 inline vec4 operator*(const vec4& a, float b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
 
+inline float sqrt(float x) { return std::sqrt(x); }
+inline float floor(float x) { return std::floor(x); }
+inline float abs(float x) { return std::fabs(x); }
 inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
 inline float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
 
@@ -66,6 +73,13 @@ struct PatchTexel {
 };
 using usampler2D = Sampler<PatchTexel>;
 
+/// A block of texels in level_blocks: two 32-bit channels.
+struct LevelBlock {
+  uint32_t first = 0;  ///< entry in level_entries
+  uint32_t owned = 0;  ///< patch idx of that entry | owner << 16 | number of entries that follow << 20
+  bool operator==(const LevelBlock&) const = default;
+};
+
 template <class T>
 const T& texel_at_index(const Sampler<T>& sampler, const ivec2& p) {
   return sampler.texels[static_cast<size_t>(p.y) * static_cast<size_t>(sampler.width) + static_cast<size_t>(p.x)];
@@ -75,6 +89,10 @@ inline ivec4 texelFetch(const isampler2D& sampler, const ivec2& p, int /*level*/
 inline uvec4 texelFetch(const usampler2D& sampler, const ivec2& p, int /*level*/) {
   const PatchTexel& texel = texel_at_index(sampler, p);
   return {texel.patch_idx, texel.owner, 0, 1};
+}
+inline uvec4 texelFetch(const Sampler<LevelBlock>& sampler, const ivec2& p, int /*level*/) {
+  const LevelBlock& block = texel_at_index(sampler, p);
+  return {block.first, block.owned, 0, 1};
 }
 
 }  // namespace texbake::glsl

@@ -12,6 +12,10 @@ struct Program {
   isampler2D contents;
   isampler2D centers;
   sampler2D base;
+  Sampler<LevelBlock> level_blocks;
+  usampler2D level_entries;
+  int level_count = 0;
+  int first_level = 1;
   ivec2 tile_size{1, 1};
   uint content_count = 1;
   uint seed = 0;
@@ -22,6 +26,8 @@ struct Program {
 #include "shaders/content.glsl"
 //
 #include "shaders/sample.glsl"
+//
+#include "shaders/levels.glsl"
 #undef PRECISE
 };
 
@@ -30,5 +36,6 @@ using Decision = Program::Decision;
 using Source = Program::Source;
 using Position = Program::Position;
 using Footprint = Program::Footprint;
+using Probes = Program::Probes;
 
 }  // namespace texbake::glsl

@@ -276,6 +276,7 @@ std::vector<Fault> faults_of_the_tables() {
            }},
       {.id = content_repeated,
        .manifest = [](Json& json) { scale_of(json)["contents"][2][1] = scale_of(json)["contents"][2][2]; }},
+      {.id = soft_border_width, .manifest = [](Json& json) { scale_of(json)["softBorder"] = 30; }},
       {.id = state_mismatch, .manifest = [](Json& json) { json["stages"][3]["output"] = std::string(64, 'b'); }},
       {.id = chain_broken, .manifest = [](Json& json) { json["stages"][2]["input"] = std::string(64, 'b'); }},
       {.id = stage_missing, .manifest = [](Json& json) { json["stages"].erase(1); }},
