@@ -72,7 +72,7 @@ struct Step {
 };
 Step step_of(Random& random, int levels) {
   const uint32_t step_256 = random.below(4) == 0 ? 256u << random.below(static_cast<uint32_t>(levels) + 1)
-                                                 : 256 + random.below((255u << levels) + 1);
+                                                 : 256 + random.below((256u << levels) - 255);
   return {step_256, static_cast<int>(std::lround(256 * std::log2(step_256 / 256.0)))};
 }
 
