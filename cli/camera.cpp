@@ -54,7 +54,7 @@ void check_types(const Json& window, const std::string& where) {
   };
   check_type(window, "step", where, is("step", &Json::is_number), "a number");
   check_type(window, "seed", where, is("seed", &Json::is_number_integer), "a whole number");
-  check_type(window, "filter", where, is("filter", &Json::is_string), "\"nearest\" or \"bilinear\"");
+  check_type(window, "filter", where, is("filter", &Json::is_string), "the name of a filter");
   check_type(window, "map", where, is("map", &Json::is_string) || is("map", &Json::is_null),
              "the name of a map, or null for the colour");
 }

@@ -34,6 +34,7 @@ EvaluatorInput evaluator_input(const Bundle& bundle) {
   input.contents = pointer_to(scale.contents);
   input.fragments = pointer_to(scale.fragments);
   input.colors = pointer_to(scale.colors);
+  input.soft_border_px = scale.soft_border_px;
   for (const Map& map : scale.maps)
     input.maps.push_back({map.name, kind_of(map), {map.planes, map.planes + map.channels}});
   if (bundle.noise) input.noise = noise_input(scale, *bundle.noise);

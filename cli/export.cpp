@@ -6,6 +6,7 @@
 #include "cli/evaluator_input.h"
 #include "formats/bundle_io.h"
 #include "formats/web_export.h"
+#include "libbake/eval/levels.h"
 
 namespace texbake {
 namespace {
@@ -22,7 +23,8 @@ Outcome run(const Request& request, Console& console) {
   const std::string folder = request.output.empty() ? default_web_folder(request.bundle) : request.output;
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  const EvaluatorPlanes planes = prepare(evaluator_input(bundle));
+  EvaluatorPlanes planes = prepare(evaluator_input(bundle));
+  add_levels(planes, planes.base);
   console.step("export");
   export_web(planes, folder);
   const std::string page = folder + "/index.html";

@@ -19,8 +19,8 @@ GlContextOptions context_options(GlLanguage language, const std::optional<int>& 
 struct Drawer {
   GlContext context;
   GlRenderer renderer;
-  Drawer(const EvaluatorPlanes& planes, const std::optional<int>& device)
-      : context(context_options(GlLanguage::core, device)), renderer(context, planes) {}
+  Drawer(const EvaluatorPlanes& planes, const std::optional<int>& device, const std::string& fragment_shader)
+      : context(context_options(GlLanguage::core, device)), renderer(context, planes, fragment_shader) {}
 };
 
 }  // namespace
@@ -31,16 +31,24 @@ std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage 
   for (const GlLanguage one : {GlLanguage::core, GlLanguage::es}) {
     if (language != one && language != GlLanguage::both) continue;
     const GlContext context(context_options(one, device));
-    found.push_back({one, check_parity(planes, context, options)});
+    found.push_back({one, check_parity(planes, context, options), check_perspective_parity(planes, context)});
   }
   return found;
 }
 
 DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
                        const std::optional<int>& device) {
-  const auto drawer = std::make_shared<Drawer>(planes, device);
+  const auto drawer = std::make_shared<Drawer>(planes, device, reference_fragment_shader(ShaderLanguage::glsl_330));
   return [drawer, &planes, &plane, window](int begin, int end) {
     return gl_rows(drawer->renderer, planes, plane, window, begin, end);
+  };
+}
+
+DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
+                       const std::optional<int>& device) {
+  const auto drawer = std::make_shared<Drawer>(planes, device, perspective_fragment_shader(ShaderLanguage::glsl_330));
+  return [drawer, &plane, view](int begin, int end) {
+    return color_values(drawer->renderer.draw(view, plane, begin, end).values);
   };
 }
 
@@ -61,6 +69,9 @@ std::vector<LanguageParity> gl_parity(const EvaluatorPlanes&, GlLanguage, const 
 }
 
 DrawRows gl_row_drawer(const EvaluatorPlanes&, const Plane&, const Window&, const std::optional<int>&) { refuse(); }
+DrawRows gl_row_drawer(const EvaluatorPlanes&, const Plane&, const Perspective&, const std::optional<int>&) {
+  refuse();
+}
 #endif
 
 }  // namespace texbake

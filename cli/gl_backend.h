@@ -7,6 +7,7 @@
 
 #include "libbake/base/options.h"
 #include "libbake/gl/parity.h"
+#include "libbake/gl/perspective_parity.h"
 
 namespace texbake {
 
@@ -51,18 +52,24 @@ struct GlOptions {
 struct LanguageParity {
   GlLanguage language = GlLanguage::core;
   ParityReport report;
+  PerspectiveParity perspective = {};
+
+  bool equal() const { return report.equal() && perspective.equal(); }
 };
 
 /// Compares the evaluator with the shader in each language. Throws Error(unsupported) where there is no OpenGL, it is
-/// too old, or this texbake was built without it.
+/// too old, or this texbake was built without it. The levels of `planes` were added.
 std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
                                       const std::optional<int>& device, const ParityOptions& options);
 
 /// Draws rows row_begin ≤ j < row_end of a window.
 using DrawRows = std::function<Image<V3f>(int row_begin, int row_end)>;
 
-/// Draws `plane` in OpenGL 3.3 core; borrows `planes`. Throws as gl_parity does.
+/// Draws `plane`, whose levels were added where the view needs them, in OpenGL 3.3 core; borrows `planes`. Throws as
+/// gl_parity does.
 DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
+                       const std::optional<int>& device);
+DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
                        const std::optional<int>& device);
 
 }  // namespace texbake

@@ -53,6 +53,8 @@ void add_shape_fields(const Scale& scale, FieldList& fields) {
   if (scale.contents)
     fields.add("contents", fmt::format("{}x{}", scale.contents->patch_count, scale.contents->content_count),
                "texels, ΔE⁴", "translation, rotation, scale, impact; the first is the identity");
+  if (scale.soft_border_px > 0)
+    fields.add("softBorder", fmt::format("{}", scale.soft_border_px), "texels", "on either side, where patches blend");
 }
 
 void add_map_fields(const Scale& scale, FieldList& fields) {

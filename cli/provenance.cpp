@@ -24,7 +24,10 @@ void drop_result(Bundle& bundle, const std::string& verb) {
     }
     if (verb == "fragment") scale.fragments.reset();
     if (verb == "patch") scale.patches.reset();
-    if (verb == "select-contents") scale.contents.reset();
+    if (verb == "select-contents") {
+      scale.contents.reset();
+      scale.soft_border_px = 0;
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-// texbake render: bundle → picture of a window of the infinite texture.
+// texbake render: bundle → picture of the infinite texture, a window of it or an endless plane in perspective.
 #include <algorithm>
 #include <memory>
 
@@ -7,10 +7,12 @@
 #include "cli/evaluator_input.h"
 #include "cli/gl_backend.h"
 #include "cli/option_flags.h"
-#include "cli/window_options.h"
+#include "cli/view_options.h"
 #include "formats/bundle_io.h"
 #include "formats/image_writer.h"
+#include "libbake/eval/levels.h"
 #include "libbake/eval/show.h"
+#include "libbake/eval/supersample.h"
 
 namespace texbake {
 namespace {
@@ -68,6 +70,7 @@ struct Request {
   RenderOptions options;
   DeformOptions deform;
   WindowOptions window;
+  ViewOptions view;
   GlOptions gl;
 };
 
@@ -99,6 +102,13 @@ void check_show(const Request& request) {
   if (request.map) throw Error(ErrorKind::usage, asked + ": a view shows the texture; expected no --map beside it");
   if (request.gl.backend == Backend::gl)
     throw Error(ErrorKind::usage, asked + ": the reference shader draws colours and maps alone; use --backend cpu");
+  if (request.view.view == View::plane || request.view.supersample > 1)
+    throw Error(ErrorKind::usage, asked + ": a view shows whole texels; expected no --view plane or --supersample");
+}
+
+void check_supersample(const Request& request) {
+  if (request.view.supersample > 1 && request.gl.backend == Backend::gl)
+    throw Error(ErrorKind::usage, "--supersample: the processor's alone; use --backend cpu");
 }
 
 /// Draws by strips of rows, so that a window of any size takes the same memory.
@@ -115,26 +125,47 @@ void stream(const std::string& path, const PictureFormat& format, const DrawRows
   console.finish_step();
 }
 
-DrawRows row_drawer(const Request& request, const EvaluatorPlanes& planes, const Plane& plane, const Window& window) {
+/// What draws a picture from the planes, whose levels are added where it needs them.
+DrawRows flat_drawer(const Request& request, EvaluatorPlanes& planes, const Plane& plane, PixelSize size) {
+  const Window window = window_of(request.window, size, planes.size);
+  const int samples = request.view.supersample;
+  if (samples > 1)
+    return [&, window, samples](int begin, int end) {
+      return supersampled_rows(planes, plane, window, samples, begin, end);
+    };
+  if (request.options.show == Show::color && needs_levels(window)) add_levels(planes, plane);
   if (request.gl.backend == Backend::gl) return gl_row_drawer(planes, plane, window, request.gl.gl_device);
   if (!request.map)
-    return [&](int begin, int end) { return show_rows(planes, window, request.options.show, begin, end); };
-  return [&](int begin, int end) { return render_map_rows(planes, plane, window, begin, end); };
+    return [&, window](int begin, int end) { return show_rows(planes, window, request.options.show, begin, end); };
+  return [&, window](int begin, int end) { return render_map_rows(planes, plane, window, begin, end); };
+}
+
+DrawRows plane_drawer(const Request& request, EvaluatorPlanes& planes, const Plane& plane, PixelSize size) {
+  const Perspective view = perspective_of(request.view, request.window, size, planes.size);
+  const int samples = request.view.supersample;
+  add_levels(planes, plane);
+  if (request.gl.backend == Backend::gl) return gl_row_drawer(planes, plane, view, request.gl.gl_device);
+  if (samples > 1)
+    return [&, view, samples](int begin, int end) {
+      return supersampled_perspective_rows(planes, plane, view, samples, begin, end);
+    };
+  return [&, view](int begin, int end) { return render_perspective_rows(planes, plane, view, begin, end); };
 }
 
 void render(const Request& request, const std::string& path, Console& console) {
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  const EvaluatorPlanes planes = prepare(evaluator_input(bundle));
+  EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   const Plane& plane = chosen_plane(planes, request.map);
-  Window window = window_of(request.window, parse_size("size", request.options.size), planes.size);
-  window.deformation = deformation_of(request.deform);
-  const PictureFormat format{.width = window.width,
-                             .height = window.height,
+  const PixelSize size = parse_size("size", request.options.size);
+  const DrawRows draw_rows = request.view.view == View::plane ? plane_drawer(request, planes, plane, size)
+                                                              : flat_drawer(request, planes, plane, size);
+  const PictureFormat format{.width = size.width,
+                             .height = size.height,
                              .channels = plane.channels,
                              .role = role_of(planes, plane),
                              .samples = request.options.bits};
-  stream(path, format, row_drawer(request, planes, plane, window), console);
+  stream(path, format, draw_rows, console);
 }
 
 Outcome run(const Request& request, Console& console) {
@@ -143,7 +174,10 @@ Outcome run(const Request& request, Console& console) {
   check_options(request.window);
   check_options(request.deform);
   check_options(request.gl);
+  check_options(request.view);
+  check_view(request.view, request.window);
   check_show(request);
+  check_supersample(request);
   check_picture_name(path, request.options.bits);
   parse_size("size", request.options.size);
   check_file_target(path);
@@ -158,6 +192,7 @@ Action declare(CLI::App& app) {
       ->type_name("FILE");
   add_flags(app, request->options, "Options");
   add_flags(app, request->window, "Options");
+  add_flags(app, request->view, "View");
   add_flags(app, request->gl, "Options");
   add_flags(app, request->deform, "Deformation");
   add_flag(app,
@@ -173,11 +208,12 @@ Action declare(CLI::App& app) {
 }  // namespace
 
 Command render_command() {
-  return {"render", "bundle → picture: a window of the infinite texture",
+  return {"render", "bundle → picture: a window of the infinite texture, or an endless plane",
           "  texbake render leaves.texbundle -o leaves.png --size 4096x4096\n"
           "  texbake render leaves.texbundle -o patches.png --show patches --origin -512,99999999999\n"
           "  texbake render rock.texbundle -o normal.png --map normal\n"
           "  texbake render moss.texbundle -o moss.png --rotate 30 --stretch 2,1 --turbulence 12\n"
+          "  texbake render leaves.texbundle -o floor.png --size 1200x800 --view plane --camera-height 600 --pitch 15\n"
           "  texbake render leaves.texbundle -o leaves.exr --bits float --backend gl",
           declare};
 }

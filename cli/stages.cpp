@@ -7,6 +7,7 @@
 
 #include "cli/running_stage.h"
 #include "cli/stage_parts.h"
+#include "libbake/eval/prepare.h"
 #include "libbake/segment/contrast.h"
 
 namespace texbake {
@@ -52,6 +53,14 @@ Json content_figures(const SelectContentsFigures& figures) {
           {"useDeviation", figures.use_deviation},      {"computedShare", figures.computed_share}};
 }
 
+void check_soft_border(int width_px, V2i tile_size) {
+  const int widest = max_soft_border_px(tile_size);
+  if (width_px > widest)
+    throw Error(ErrorKind::infeasible,
+                fmt::format("--soft-border: expected at most {} px, an eighth of the tile of {} x {}, found {}", widest,
+                            tile_size.x, tile_size.y, width_px));
+}
+
 }  // namespace
 
 void run_fragment(Bundle& bundle, const FragmentOptions& options, Console& console) {
@@ -81,10 +90,12 @@ void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, C
   const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
   const PatchMap& patches = required(scale.patches, "patches", "patch");
   RunningStage stage(bundle, "select-contents", console);
+  check_soft_border(options.soft_border_px, scale.size());
   const SelectContentsOptions suited =
       scale.structure && options.search != Search::exact ? deforming(options) : options;
   ContentSelection selection = select_contents(colors, scale.base(), patches, suited, stage.progress());
   scale.contents = std::move(selection.table);
+  scale.soft_border_px = options.soft_border_px;
   stage.finish(parameters_of(options, selection.effective), content_figures(selection.figures));
 }
 

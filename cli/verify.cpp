@@ -10,6 +10,7 @@
 #include "cli/verify_frame.h"
 #include "cli/verify_gl.h"
 #include "formats/bundle_io.h"
+#include "libbake/eval/levels.h"
 
 namespace texbake {
 namespace {
@@ -88,13 +89,14 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
   const bool draws = request.gl.backend == Backend::gl;
   if (!draws && request.frame.frame.empty()) return;
   const Bundle bundle = read_bundle(request.bundle);
-  const EvaluatorPlanes planes = prepare(evaluator_input(bundle));
+  EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   if (!request.frame.frame.empty()) {
     console.step("compare the frame");
     append(outcome, frame_outcome(request.frame, planes, console));
   }
   if (!draws) return;
   console.step("compare with OpenGL");
+  add_levels(planes);
   ParityOptions options;
   options.windows = request.options.windows;
   append(outcome,

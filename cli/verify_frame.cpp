@@ -9,6 +9,7 @@
 #include "formats/image_writer.h"
 #include "formats/json_text.h"
 #include "libbake/eval/compare.h"
+#include "libbake/eval/levels.h"
 
 namespace texbake {
 namespace {
@@ -114,11 +115,12 @@ void check_request(const FrameRequest& request) {
   check_file_target(request.difference);
 }
 
-Outcome frame_outcome(const FrameRequest& request, const EvaluatorPlanes& planes, Console& console) {
+Outcome frame_outcome(const FrameRequest& request, EvaluatorPlanes& planes, Console& console) {
   const Reference reference = reference_of(planes, request.camera);
   const CapturedFrame frame = read_frame(request.frame, reference.role, reference.plane.channels);
   for (const std::string& note : frame.notes) console.note(note);
   const Window window = window_for(reference, frame, planes.size, request);
+  if (needs_levels(window)) add_levels(planes, reference.plane);
   const Image<V3f> expected = drawn(planes, reference, window);
 
   const Image<V3f> expected_steps = in_steps(expected, frame.scale), found_steps = in_steps(frame.values, frame.scale);

@@ -49,10 +49,15 @@ Json json_of(const PixelDecision& decision) {
 std::string text(const LanguageParity& parity, V2i tile_size) {
   const ParityReport& report = parity.report;
   std::string out = fmt::format("{} on {}: {}\n", full_name(parity.language), report.driver,
-                                report.equal() ? "equals the processor" : "differs from the processor");
+                                parity.equal() ? "equals the processor" : "differs from the processor");
   out += fmt::format("  {} points, {} of {} contents: {} decisions, {} points and {} bits differ, {} points are NaN\n",
                      report.points, report.drawn_contents, report.contents, report.differing_decisions,
                      report.differing_points, report.differing_bits, report.nan_points);
+  const PerspectiveParity& perspective = parity.perspective;
+  out += fmt::format("  {} pixels in perspective: {} see another place (at most {} may), {} values differ\n",
+                     perspective.pixels, perspective.differing_sights,
+                     static_cast<uint64_t>(PerspectiveParity::kTolerance * static_cast<double>(perspective.pixels)),
+                     perspective.differing_values);
   if (const auto& first = report.first_decision)
     out += fmt::format("  first decision: {}: expected {}, found {}\n",
                        text(Place{tile_size, first->window, first->pixel}), text(first->expected), text(first->found));
@@ -67,14 +72,18 @@ Json json_of(const LanguageParity& parity, V2i tile_size) {
   const ParityReport& report = parity.report;
   Json json = {{"language", enum_name(parity.language)},
                {"driver", report.driver},
-               {"equal", report.equal()},
+               {"equal", parity.equal()},
                {"points", report.points},
                {"contents", report.contents},
                {"drawnContents", report.drawn_contents},
                {"differingDecisions", report.differing_decisions},
                {"differingPoints", report.differing_points},
                {"differingBits", report.differing_bits},
-               {"nanPoints", report.nan_points}};
+               {"nanPoints", report.nan_points},
+               {"perspective",
+                {{"pixels", parity.perspective.pixels},
+                 {"differingSights", parity.perspective.differing_sights},
+                 {"differingValues", parity.perspective.differing_values}}}};
   if (const auto& first = report.first_decision) {
     json["firstDecision"] = json_of(Place{tile_size, first->window, first->pixel});
     json["firstDecision"].update({{"expected", json_of(first->expected)}, {"found", json_of(first->found)}});
@@ -94,7 +103,7 @@ Outcome parity_outcome(const std::vector<LanguageParity>& languages, V2i tile_si
   Outcome outcome;
   Json list = Json::array();
   for (const LanguageParity& parity : languages) {
-    if (!parity.report.equal()) outcome.code = ExitCode::no;
+    if (!parity.equal()) outcome.code = ExitCode::no;
     outcome.text += text(parity, tile_size);
     list.push_back(json_of(parity, tile_size));
   }

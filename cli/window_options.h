@@ -14,7 +14,7 @@ struct WindowOptions {
   std::string origin = "0,0";
   double step_texels = 1;
   uint32_t seed = 0;
-  Filter filter = Filter::bilinear;
+  Filter filter = Filter::trilinear;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -31,7 +31,9 @@ struct WindowOptions {
                            .max = 4294967295.0,
                            .help = "another one gives another texture "
                                    "of the same bundle"});
-    visit(self.filter, Field{.name = "filter", .help = "how a pixel is found between texels"});
+    visit(self.filter, Field{.name = "filter",
+                             .help = "how a pixel is found between texels: with trilinear and anisotropic no texel is "
+                                     "skipped where pixels are larger"});
   }
 };
 

@@ -43,6 +43,7 @@ struct Scale {
   std::optional<FragmentMap> fragments;
   std::optional<PatchMap> patches;
   std::optional<ContentTable> contents;
+  int soft_border_px = 0;  ///< over how many texels on either side of their borders patches blend; 0: hard
   std::optional<Image<float>> height;  ///< 0 … 1
   std::vector<Map> maps;
   std::optional<V2i> tile_from_source;  ///< offset of the tile in the source picture, when it is a crop

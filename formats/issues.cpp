@@ -113,6 +113,8 @@ constexpr IssueKind kKinds[] = {
      "run estimate-psd again"},
     {noise_strength, "noise-strength", kWarning, kData,
      "the variance of a spectrum is far from that of exemplar - structure inside its mask", "run estimate-psd again"},
+    {soft_border_width, "soft-border-width", kError, kData,
+     "softBorder is wider than an eighth of the tile, or there are no patches", "run select-contents again"},
 
     {state_mismatch, "state-mismatch", kError, kData, "the output of the last stage is not the state of the bundle",
      kBakeAgain},

@@ -84,6 +84,7 @@ enum class IssueId : int {
   noise_axes = 543,
   noise_tile = 544,
   noise_strength = 545,
+  soft_border_width = 535,
 
   state_mismatch = 601,
   chain_broken = 602,

@@ -80,6 +80,7 @@ Json scale_json(const Scale& scale, const PlaneRefs& refs) {
   if (scale.fragments) json["fragments"] = {{"count", scale.fragments->fragments.size()}};
   if (scale.patches) json["patches"] = patches_json(scale.patches->partition);
   if (scale.contents) json["contents"] = contents_json(*scale.contents);
+  if (scale.soft_border_px > 0) json["softBorder"] = scale.soft_border_px;
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include "formats/noise_manifest.h"
 #include "formats/plane_refs.h"
 #include "formats/schema.h"
+#include "libbake/eval/prepare.h"
 
 namespace texbake {
 namespace {
@@ -25,7 +26,7 @@ class ScaleReader {
   void read() {
     warn_unknown_members(json_, pointer_,
                          {"name", "size", "tiling", "tileFromSource", "planes", "maps", "mean", "palette", "fragments",
-                          "patches", "contents"},
+                          "patches", "contents", "softBorder"},
                          log_);
     scale_.name = json_["name"];
     size_ = texel_of(json_["size"]);
@@ -38,6 +39,7 @@ class ScaleReader {
     read_fragments();
     read_patches();
     read_contents();
+    read_soft_border();
     read_planes();
     read_maps();
     check_payload_name(scale_.name, refs_, pointer_ + "/planes", log_);
@@ -109,6 +111,16 @@ class ScaleReader {
       partition.centers.push_back(texel_of(patch["center"]));
       partition.areas_px.push_back(patch["areaPx"].get<uint32_t>());
     }
+  }
+
+  void read_soft_border() {
+    if (!json_.contains("softBorder")) return;
+    scale_.soft_border_px = json_["softBorder"];
+    const int widest = max_soft_border_px(size_);
+    if (!json_.contains("patches") || scale_.soft_border_px > widest)
+      issue(IssueId::soft_border_width, "/softBorder",
+            fmt::format("expected patches, and at most {} texels on a tile of {} x {}, found {}", widest, size_.x,
+                        size_.y, scale_.soft_border_px));
   }
 
   void read_contents() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "formats/base64.h"
@@ -23,6 +24,8 @@ constexpr std::pair<std::string_view, std::string_view> kViewerFiles[] = {
 #include "formats/embedded_viewer.inc"
 };
 
+constexpr float kMaxHalf = 65504;
+
 static_assert(std::endian::native == std::endian::little, "planes are written as they lie in memory");
 
 template <class T>
@@ -33,12 +36,12 @@ Json plane_json(const char* format, ImageView<const T> texels) {
           {"data", base64(texels.data(), texels.size() * sizeof(T))}};
 }
 
-/// Colours as halves where that is exact.
-Json color_json(const Image<glsl::vec4>& texels) {
+/// As halves, where `fits` says that every value may be one.
+template <class Fits>
+Json values_json(const Image<glsl::vec4>& texels, const Fits& fits) {
   const auto* values = reinterpret_cast<const float*>(texels.data());
   const size_t count = 4 * texels.size();
-  if (!std::all_of(values, values + count, [](float value) { return half_exact(value) == value; }))
-    return plane_json<glsl::vec4>("RGBA32F", texels);
+  if (!std::all_of(values, values + count, fits)) return plane_json<glsl::vec4>("RGBA32F", texels);
   struct HalfTexel {
     uint16_t channels[4];
   };
@@ -82,14 +85,20 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
                   {"size", {planes.size.x, planes.size.y}},
                   {"patch_count", planes.patch_count},
                   {"content_count", planes.content_count},
-                  {"noise_size", planes.noise_size}};
+                  {"noise_size", planes.noise_size},
+                  {"level_count", planes.level_count},
+                  {"first_level", planes.first_level}};
   Json& json = texture["planes"];
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
   json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
   json["centers"] = plane_json<glsl::ivec4>("RGBA32I", planes.centers);
-  json["base"] = color_json(planes.base.texels);
+  const auto is_half = [](float value) { return half_exact(value) == value; };
+  json["base"] = values_json(planes.base.texels, is_half);
   json["masks"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.masks);
-  json["noise_tiles"] = color_json(planes.noise_tiles);
+  json["noise_tiles"] = values_json(planes.noise_tiles, is_half);
+  json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
+  json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
+  json["base_levels"] = values_json(planes.base.level_values, [](float value) { return std::abs(value) <= kMaxHalf; });
   if (!planes.fragment_idx.empty()) json["fragments"] = plane_json<uint32_t>("R32UI", planes.fragment_idx);
   return "texbake.open(" + texture.dump() + ");\n";
 }

@@ -150,11 +150,13 @@ vec4 source_normal(sampler2D plane, Source source, float up) {
 }
 
 // The same for a height map, one channel: relief shrinks with the content.
-vec4 source_height(sampler2D plane, Source source) {
+vec4 scaled_height(vec4 value, Source source) {
   const float per_65536 = 0.0000152587890625f;
-  PRECISE float height = source_value(plane, source).x * (float(source.scale) * per_65536);
+  PRECISE float height = value.x * (float(source.scale) * per_65536);
   return vec4(rounded(height, source.scale), 0.0f, 0.0f, 0.0f);
 }
+
+vec4 source_height(sampler2D plane, Source source) { return scaled_height(source_value(plane, source), source); }
 
 vec4 footprint_value(sampler2D plane, Footprint footprint) {
   return bilinear(source_value(plane, footprint.upper_left), source_value(plane, footprint.upper_right),

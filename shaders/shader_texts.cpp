@@ -31,7 +31,8 @@ std::string_view shader_text(std::string_view name) {
 }
 
 std::string reference_core(ShaderLanguage language) {
-  return concatenated({prologue(language), "bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl", "noise.glsl", "deform.glsl"});
+  return concatenated({prologue(language), "bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl", "noise.glsl",
+                       "deform.glsl", "levels.glsl"});
 }
 
 std::string reference_vertex_shader(ShaderLanguage language) {
@@ -40,6 +41,10 @@ std::string reference_vertex_shader(ShaderLanguage language) {
 
 std::string reference_fragment_shader(ShaderLanguage language) {
   return reference_core(language) + concatenated({"reference.frag"});
+}
+
+std::string perspective_fragment_shader(ShaderLanguage language) {
+  return reference_core(language) + concatenated({"perspective_bindings.glsl", "perspective.glsl", "perspective.frag"});
 }
 
 std::string viewer_fragment_shader(ShaderLanguage language) {

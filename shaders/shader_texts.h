@@ -18,6 +18,9 @@ std::string_view shader_text(std::string_view name);
 std::string reference_vertex_shader(ShaderLanguage language);
 std::string reference_fragment_shader(ShaderLanguage language);
 
+/// An endless plane in perspective, drawn with reference_vertex_shader.
+std::string perspective_fragment_shader(ShaderLanguage language);
+
 /// The viewer's: reference_core with viewer.frag, drawn with reference_vertex_shader.
 std::string viewer_fragment_shader(ShaderLanguage language);
 

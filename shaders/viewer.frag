@@ -3,7 +3,8 @@
 uniform uvec2 origin_tile;     // as in reference.frag
 uniform ivec2 origin_offset;
 uniform uint step_256;         // 1/256 texels from one sample to the next
-uniform int samples;           // samples to a pixel on each axis: their mean keeps a distant view from flickering
+uniform int samples;           // samples to a pixel on each axis: more than one where something else than colour is shown
+uniform int level_256;         // level of detail of the colour, as in reference.frag
 uniform int height_px;         // of the window: row 0 is its top
 uniform int show;              // 0 colour, 1 patches, 2 fragments, 3 contents
 uniform usampler2D fragments;  // R32UI, W x H: fragment idx of each texel
@@ -22,14 +23,13 @@ vec3 color_of(uint number) {
 }
 
 vec3 sample_color(Position at) {
-  if (show == 0 && step_256 < 256u) return footprint_layers(base, footprint_at(at), at).rgb;
+  if (show == 0) return trilinear_value(base, noise_size == 0 ? 0 : 4, base_levels, at, level_256).rgb;
   Texel texel = texel_at(at);
   Decision decision = decide(texel);
   Source source = source_of(texel, decision);
   if (show == 1) return color_of(uint(decision.patch_idx));
   if (show == 2) return color_of(texelFetch(fragments, source.nearest, 0).x);
-  if (show == 3) return color_of(uint(decision.content));
-  return layered_value(base, texel, source).rgb;
+  return color_of(uint(decision.content));
 }
 
 void main() {

@@ -20,19 +20,22 @@ class InfiniteTexture {
   // Draws the window into the canvas: origin {x, y} as BigInt in 1/256 texel, step in 1/256 texels to a pixel.
   draw({origin, step_256, seed, show}) {
     const gl = this.gl;
-    const samples = Math.max(1, Math.min(8, Math.floor(step_256 / 256)));
+    // Colours have levels of detail; what is a label has none, and is sampled.
+    const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(step_256 / 256)));
+    const level_256 = Math.max(0, Math.min(256 * (this.texture.level_count + 1), Math.round(256 * Math.log2(step_256 / 256))));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     const uniform = this.use(this.viewer, origin, seed);
     gl.uniform1ui(uniform('step_256'), Math.max(1, Math.floor(step_256 / samples)));
     gl.uniform1i(uniform('samples'), samples);
+    gl.uniform1i(uniform('level_256'), level_256);
     gl.uniform1i(uniform('height_px'), gl.drawingBufferHeight);
     gl.uniform1i(uniform('show'), show);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
   // What the reference shader decides and shows at points {tile: [x, y], offset_256: [x, y], seed}: for each the patch,
-  // the content, the source texel, and the linear colour with both filters.
+  // the content, the source texel, and the linear colour: nearest, bilinear, and at the level that the point names.
   evaluate(points) {
     const gl = this.gl;
     if (!gl.getExtension('EXT_color_buffer_float')) throw new Error('expected WebGL 2 with EXT_color_buffer_float');
@@ -59,13 +62,14 @@ class InfiniteTexture {
       x: BigInt(point.tile[0]) * period[0] + BigInt(point.offset_256[0]),
       y: BigInt(point.tile[1]) * period[1] + BigInt(point.offset_256[1]),
     };
-    const value = [new Float32Array(4), new Float32Array(4)];
+    const value = [new Float32Array(4), new Float32Array(4), new Float32Array(4)];
     const decided = new Uint32Array(4);
-    for (const filter of [0, 1]) {
+    for (const filter of [0, 1, 2]) {
       const uniform = this.use(this.reference, origin, point.seed);
       gl.uniform1ui(uniform('step_256'), 1);
       gl.uniform2i(uniform('first_row'), 0, 1);
-      gl.uniform1i(uniform('filter_kind'), filter);
+      gl.uniform1i(uniform('filter_kind'), Math.min(filter, 1));
+      gl.uniform1i(uniform('level_256'), filter === 2 ? point.level_256 || 0 : 0);
       gl.uniform1i(uniform('plane_kind'), this.texture.noise_size ? 4 : 0);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       gl.readBuffer(gl.COLOR_ATTACHMENT0);
@@ -76,6 +80,7 @@ class InfiniteTexture {
     return {
       patch: decided[0], content: decided[1], source: [decided[2], decided[3]],
       nearest: Array.from(value[0].subarray(0, 3)), bilinear: Array.from(value[1].subarray(0, 3)),
+      trilinear: Array.from(value[2].subarray(0, 3)),
     };
   }
 
@@ -93,6 +98,8 @@ class InfiniteTexture {
     gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
     gl.uniform1ui(uniform('content_count'), this.texture.content_count);
     gl.uniform1i(uniform('noise_size'), this.texture.noise_size);
+    gl.uniform1i(uniform('level_count'), this.texture.level_count);
+    gl.uniform1i(uniform('first_level'), this.texture.first_level);
     gl.uniform1ui(uniform('seed'), seed);
     gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
     gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
@@ -119,6 +126,7 @@ class InfiniteTexture {
     const kinds = {
       RG16UI: [gl.RG_INTEGER, gl.UNSIGNED_SHORT, Uint16Array],
       RGBA16UI: [gl.RGBA_INTEGER, gl.UNSIGNED_SHORT, Uint16Array],
+      RG32UI: [gl.RG_INTEGER, gl.UNSIGNED_INT, Uint32Array],
       R32UI: [gl.RED_INTEGER, gl.UNSIGNED_INT, Uint32Array],
       RGBA32I: [gl.RGBA_INTEGER, gl.INT, Int32Array],
       RGBA16F: [gl.RGBA, gl.HALF_FLOAT, Uint16Array],

@@ -42,6 +42,7 @@ struct SelectContentsOptions {
   std::optional<int> scales{};
   float min_scale = 0.5f;
   uint32_t seed = 1;
+  int soft_border_px = 0;  ///< travels with the contents; the search does not read it
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -80,6 +81,12 @@ struct SelectContentsOptions {
                              .auto_help = "1, but 3 on a structure"});
     visit(self.min_scale, Field{.name = "min-scale", .min = 0.5, .max = 1, .help = "the smallest of several sizes"});
     visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the joint choice"});
+    visit(self.soft_border_px, Field{.name = "soft-border",
+                                     .unit = "px",
+                                     .min = 0,
+                                     .max = 32,
+                                     .help = "over how many texels on either side of their borders patches blend; 0 "
+                                             "and 1: hard borders"});
   }
 };
 

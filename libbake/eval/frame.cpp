@@ -6,51 +6,31 @@
 namespace texbake {
 namespace {
 
-using glsl::Footprint;
+using glsl::Position;
 using glsl::Program;
 using glsl::sampler2D;
-using glsl::Source;
 using glsl::vec4;
 
-vec4 nearest_value(Program& program, const sampler2D& plane, MapKind kind, const glsl::Texel& texel,
-                   const Source& source) {
-  switch (kind) {
-    case MapKind::normal_opengl:
-      return program.source_normal(plane, source, 1.0f);
-    case MapKind::normal_directx:
-      return program.source_normal(plane, source, -1.0f);
-    case MapKind::height:
-      return program.source_height(plane, source);
-    case MapKind::structure:
-      return program.layered_value(plane, texel, source);
-    case MapKind::plain:
-      break;
-  }
-  return program.source_value(plane, source);
-}
+/// A plane as the text takes it, and how it is filtered.
+struct Drawn {
+  sampler2D texels;
+  int kind;
+  sampler2D levels;
+  Filter filter;
+  int level_256;
 
-vec4 blended_value(Program& program, const sampler2D& plane, MapKind kind, const glsl::Position& at) {
-  const Footprint footprint = program.footprint_at(at);
-  switch (kind) {
-    case MapKind::normal_opengl:
-      return program.footprint_normal(plane, footprint, 1.0f);
-    case MapKind::normal_directx:
-      return program.footprint_normal(plane, footprint, -1.0f);
-    case MapKind::height:
-      return program.footprint_height(plane, footprint);
-    case MapKind::structure:
-      return program.footprint_layers(plane, footprint, at);
-    case MapKind::plain:
-      break;
+  vec4 value(Program& program, const Position& at) const {
+    if (filter == Filter::nearest) return program.texel_value(texels, kind, levels, program.texel_at(at));
+    return program.trilinear_value(texels, kind, levels, at, level_256);
   }
-  return program.footprint_value(plane, footprint);
-}
+};
 
 }  // namespace
 
 Frame reference_frame(const EvaluatorPlanes& planes, const Window& window, const Plane& plane) {
   check_window(window, planes.size);
-  const sampler2D sampler = sampler_of(plane.texels);
+  const Drawn drawn{sampler_of(plane.texels), plane_kind(plane.kind), sampler_of(plane.level_values), window.filter,
+                    level_256_of(window, planes.level_count)};
   const glsl::Position origin = origin_of(window);
   const bool deformed = !window.deformation.is_identity() && &plane == &planes.base;
   Frame frame{Image<vec4>(window.width, window.height, {0, 0, 0, 0}),
@@ -62,16 +42,14 @@ Frame reference_frame(const EvaluatorPlanes& planes, const Window& window, const
       const glsl::Position at = program.pixel_position(origin, window.step_256, pixel);
       const glsl::Texel texel = program.texel_at(at);
       const glsl::Decision decision = program.decide(texel);
-      const Source source = program.source_of(texel, decision);
+      const glsl::Source source = program.source_of(texel, decision);
       frame.decisions(i, j) = {static_cast<uint32_t>(decision.patch_idx), static_cast<uint32_t>(decision.content),
                                static_cast<uint32_t>(source.nearest.x), static_cast<uint32_t>(source.nearest.y)};
-      if (deformed) {
-        frame.values(i, j) = window.filter == Filter::nearest ? program.deformed_value(sampler, texel)
-                                                              : program.deformed_footprint(sampler, at);
-        continue;
-      }
-      frame.values(i, j) = window.filter == Filter::nearest ? nearest_value(program, sampler, plane.kind, texel, source)
-                                                            : blended_value(program, sampler, plane.kind, at);
+      if (deformed)
+        frame.values(i, j) = window.filter == Filter::nearest ? program.deformed_value(drawn.texels, texel)
+                                                              : program.deformed_footprint(drawn.texels, at);
+      else
+        frame.values(i, j) = drawn.value(program, at);
     }
   });
   return frame;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -39,6 +40,9 @@ struct uvec4 {
 inline uvec4 operator+(const uvec4& a, const uvec4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 inline uvec4 operator*(const uvec4& a, uint b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
 inline uvec4 operator>>(const uvec4& a, uint b) { return {a.x >> b, a.y >> b, a.z >> b, a.w >> b}; }
+struct vec3 {
+  float x, y, z;
+};
 struct alignas(16) vec4 {
   float x, y, z, w;
   vec4() = default;
@@ -49,6 +53,9 @@ inline vec4 operator+(const vec4& a, const vec4& b) { return {a.x + b.x, a.y + b
 inline vec4 operator-(const vec4& a, const vec4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
 inline vec4 operator*(const vec4& a, float b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
 
+inline float sqrt(float x) { return std::sqrt(x); }
+inline float floor(float x) { return std::floor(x); }
+inline float abs(float x) { return std::fabs(x); }
 inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
 inline float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
 
@@ -74,6 +81,12 @@ struct MaskTexel {
   uint16_t weights[4] = {2048, 0, 0, 0};
   bool operator==(const MaskTexel&) const = default;
 };
+/// A block of texels in level_blocks: two 32-bit channels.
+struct LevelBlock {
+  uint32_t first = 0;  ///< entry in level_entries
+  uint32_t owned = 0;  ///< patch idx of that entry | owner << 16 | number of entries that follow << 20
+  bool operator==(const LevelBlock&) const = default;
+};
 
 template <class T>
 const T& texel_at_index(const Sampler<T>& sampler, const ivec2& p) {
@@ -88,6 +101,10 @@ inline uvec4 texelFetch(const usampler2D& sampler, const ivec2& p, int /*level*/
 inline uvec4 texelFetch(const Sampler<MaskTexel>& sampler, const ivec2& p, int /*level*/) {
   const uint16_t* weights = texel_at_index(sampler, p).weights;
   return {weights[0], weights[1], weights[2], weights[3]};
+}
+inline uvec4 texelFetch(const Sampler<LevelBlock>& sampler, const ivec2& p, int /*level*/) {
+  const LevelBlock& block = texel_at_index(sampler, p);
+  return {block.first, block.owned, 0, 1};
 }
 
 }  // namespace texbake::glsl

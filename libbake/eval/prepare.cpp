@@ -9,6 +9,7 @@
 #include "libbake/base/error.h"
 #include "libbake/base/parallel.h"
 #include "libbake/color/luv.h"
+#include "libbake/eval/levels.h"
 #include "libbake/eval/prepare_noise.h"
 
 namespace texbake {
@@ -120,6 +121,12 @@ Image<glsl::ivec4> content_table(const EvaluatorInput& input, int patch_count, V
   return table;
 }
 
+void check_soft_border(int width_px, V2i size) {
+  if (width_px < 0 || width_px > max_soft_border_px(size))
+    throw Error(ErrorKind::bad_data, fmt::format("soft borders: expected 0 to {} px on a tile of {} x {}, found {}",
+                                                 max_soft_border_px(size), size.x, size.y, width_px));
+}
+
 void add_colors(const PrincipalVariation& colors, EvaluatorPlanes& planes) {
   check_size(colors.index, planes.size, "index");
   check_size(colors.variation, planes.size, "variation");
@@ -161,6 +168,9 @@ EvaluatorPlanes prepare(const EvaluatorInput& input) {
     planes.fragment_idx = input.fragments->partition.idx.clone();
   }
   if (input.colors) add_colors(*input.colors, planes);
+  check_soft_border(input.soft_border_px, planes.size);
+  planes.soft_border_px = input.patches ? input.soft_border_px : 0;
+  if (planes.soft_border_px > 0) add_levels(planes);
   return planes;
 }
 

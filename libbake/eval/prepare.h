@@ -2,6 +2,7 @@
 // alike. The layout is specified in shaders/README.md.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,7 +51,11 @@ struct EvaluatorInput {
   const PrincipalVariation* colors = nullptr;
   std::vector<MapInput> maps;
   std::optional<NoiseInput> noise = {};  ///< added to the base, which is then the structure
+  int soft_border_px = 0;  ///< over how many texels on either side of their border patches blend; 0: hard
 };
+
+/// The widest soft border of a tile.
+inline int max_soft_border_px(V2i tile_size) { return std::min({tile_size.x / 8, tile_size.y / 8, 32}); }
 
 /// One picture of the tile, four floats to a texel; channels that it lacks are 0.
 struct Plane {
@@ -58,6 +63,7 @@ struct Plane {
   MapKind kind = MapKind::plain;
   int channels = 3;
   Image<glsl::vec4> texels;
+  Image<glsl::vec4> level_values = {};  ///< see libbake/eval/levels.h; empty until add_levels
 };
 
 /// Everything that the evaluator binds. Arrays are ready for upload: patch_plane RG16UI, contents RGBA32I of width
@@ -75,6 +81,12 @@ struct EvaluatorPlanes {
   Image<glsl::MaskTexel> masks;   ///< RGBA16UI, in 1/2048; one texel without noise
   Image<glsl::vec4> noise_tiles;  ///< one below the other, RGBA32F (or RGBA16F); one texel without noise
 
+  int level_count = 0;     ///< levels of detail beside level 0; 0 until add_levels
+  int first_level = 1;     ///< 0 where borders of patches are soft
+  int soft_border_px = 0;  ///< as in EvaluatorInput
+  Image<glsl::LevelBlock> level_blocks;
+  Image<glsl::PatchTexel> level_entries;
+
   Image<uint32_t> fragment_idx;  ///< empty without fragments
   Image<float> variation;        ///< empty without colours
   Image<V3f> dominant;           ///< dominant colour of each texel, linear Rec.709; empty without colours
@@ -85,7 +97,8 @@ struct EvaluatorPlanes {
 /// The largest tile side for which every product of the evaluator fits 32 bits.
 inline constexpr int kMaxTileSide = 16384;
 
-/// Throws Error(bad_data) when planes differ in size, a side exceeds kMaxTileSide, or a table does not fit its planes.
+/// Adds the levels of all planes where borders are soft, which are drawn from them. Throws Error(bad_data) when planes
+/// differ in size, a side exceeds kMaxTileSide, a table does not fit its planes, or borders are too wide.
 EvaluatorPlanes prepare(const EvaluatorInput& input);
 
 }  // namespace texbake

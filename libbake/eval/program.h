@@ -15,6 +15,10 @@ struct Program {
   Sampler<MaskTexel> masks;
   sampler2D noise_tiles;
   int noise_size = 0;
+  Sampler<LevelBlock> level_blocks;
+  usampler2D level_entries;
+  int level_count = 0;
+  int first_level = 1;
   ivec2 tile_size{1, 1};
   uint content_count = 1;
   uint seed = 0;
@@ -35,6 +39,8 @@ struct Program {
 #include "shaders/noise.glsl"
 //
 #include "shaders/deform.glsl"
+//
+#include "shaders/levels.glsl"
 #undef PRECISE
 };
 
@@ -43,5 +49,6 @@ using Decision = Program::Decision;
 using Source = Program::Source;
 using Position = Program::Position;
 using Footprint = Program::Footprint;
+using Probes = Program::Probes;
 
 }  // namespace texbake::glsl

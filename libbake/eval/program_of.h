@@ -22,10 +22,31 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   program.masks = sampler_of(planes.masks);
   program.noise_tiles = sampler_of(planes.noise_tiles);
   program.noise_size = planes.noise_size;
+  program.level_blocks = sampler_of(planes.level_blocks);
+  program.level_entries = sampler_of(planes.level_entries);
+  program.level_count = planes.level_count;
+  program.first_level = planes.first_level;
   program.tile_size = {planes.size.x, planes.size.y};
   program.content_count = static_cast<uint32_t>(planes.content_count);
   program.seed = seed;
   return program;
+}
+
+/// What the text calls `kind`.
+inline int plane_kind(MapKind kind) {
+  switch (kind) {
+    case MapKind::normal_opengl:
+      return 1;
+    case MapKind::normal_directx:
+      return 2;
+    case MapKind::height:
+      return 3;
+    case MapKind::structure:
+      return 4;
+    case MapKind::plain:
+      break;
+  }
+  return 0;
 }
 
 /// The upper left corner of a window.

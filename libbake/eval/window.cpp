@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "libbake/base/error.h"
 #include "libbake/base/parallel.h"
+#include "libbake/base/portable_math.h"
 #include "libbake/eval/row_program.h"
 
 namespace texbake {
@@ -139,6 +142,24 @@ void draw_bilinear(RowProgram program, const Value& value, const Window& window,
   }
 }
 
+/// Every pixel by itself, at one level of detail.
+Image<V3f> draw_levels(const glsl::Program& shared, const Plane& plane, const Window& window, int level_256,
+                       int row_begin, int row_end) {
+  assert(!plane.level_values.empty());
+  const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
+  const int kind = plane_kind(plane.kind);
+  Image<V3f> rows(window.width, row_end - row_begin);
+  parallel_for(0, rows.height(), [&](int j) {
+    RowProgram program(shared);
+    for (int i = 0; i < rows.width(); ++i) {
+      const Position at = position_of(program, window, i, row_begin + j);
+      rows(i, j) = color_of(program.trilinear_value(texels, kind, levels, at, level_256));
+    }
+  });
+  return rows;
+}
+
+/// At level 0, `value` being that of a texel.
 template <class Value>
 Image<V3f> draw(const glsl::Program& program, const Value& value, const Window& window, int row_begin, int row_end) {
   const RowProgram row_program(program);
@@ -155,6 +176,17 @@ Image<V3f> draw(const glsl::Program& program, const Value& value, const Window& 
       draw_bilinear(row_program, value, window, columns, row_begin + first, part);
   });
   return rows;
+}
+
+/// At level 0, where borders of patches are soft.
+Image<V3f> draw_soft(const EvaluatorPlanes& planes, const Plane& plane, const Window& window, int row_begin,
+                     int row_end) {
+  const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
+  const int kind = plane_kind(plane.kind);
+  const auto value = [=](RowProgram& program, const Texel& texel) {
+    return program.texel_value(texels, kind, levels, texel);
+  };
+  return draw(program_of(planes, window.seed), value, window, row_begin, row_end);
 }
 
 }  // namespace
@@ -176,6 +208,12 @@ void check_window(const Window& window, V2i tile_size) {
                     longest, window.step_256));
 }
 
+int level_256_of(const Window& window, int level_count) {
+  if (window.filter == Filter::nearest || window.filter == Filter::bilinear || window.step_256 <= 256) return 0;
+  const double level = portable_log(window.step_256 / 256.0) / portable_log(2);
+  return std::min(static_cast<int>(std::lround(256 * level)), 256 * (level_count + 1));
+}
+
 Image<V3f> render_rows(const EvaluatorPlanes& planes, const Window& window, int row_begin, int row_end) {
   check_window(window, planes.size);
   if (!window.deformation.is_identity()) {
@@ -184,6 +222,9 @@ Image<V3f> render_rows(const EvaluatorPlanes& planes, const Window& window, int 
     };
     return draw(program_of(planes, window), deformed, window, row_begin, row_end);
   }
+  if (const int level_256 = level_256_of(window, planes.level_count); level_256 > 0)
+    return draw_levels(program_of(planes, window.seed), planes.base, window, level_256, row_begin, row_end);
+  if (planes.first_level == 0) return draw_soft(planes, planes.base, window, row_begin, row_end);
   const auto value = [](RowProgram& program, const Texel& texel) {
     return program.layered_value(program.base, texel, program.texel_source(texel));
   };
@@ -194,6 +235,9 @@ Image<V3f> render_map_rows(const EvaluatorPlanes& planes, const Plane& map, cons
                            int row_end) {
   check_window(window, planes.size);
   const glsl::Program program = program_of(planes, window.seed);
+  if (const int level_256 = level_256_of(window, planes.level_count); level_256 > 0)
+    return draw_levels(program, map, window, level_256, row_begin, row_end);
+  if (planes.first_level == 0) return draw_soft(planes, map, window, row_begin, row_end);
   const glsl::sampler2D plane = sampler_of(map.texels);
   const auto draw_with = [&](const auto& value) { return draw(program, value, window, row_begin, row_end); };
   switch (map.kind) {

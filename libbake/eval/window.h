@@ -11,13 +11,17 @@
 namespace texbake {
 
 enum class Filter {
-  nearest,   ///< the texel in which a pixel's centre lies
-  bilinear,  ///< between the four texels whose centres surround it
+  nearest,      ///< the texel in which a pixel's centre lies
+  bilinear,     ///< between the four texels whose centres surround it
+  trilinear,    ///< bilinear between blocks of texels about as large as a pixel: nothing is skipped, far away
+  anisotropic,  ///< the same along a pixel's footprint where that is longer than wide; in a window as trilinear
 };
 template <>
 struct EnumNames<Filter> {
   static constexpr std::pair<Filter, std::string_view> values[] = {{Filter::nearest, "nearest"},
-                                                                   {Filter::bilinear, "bilinear"}};
+                                                                   {Filter::bilinear, "bilinear"},
+                                                                   {Filter::trilinear, "trilinear"},
+                                                                   {Filter::anisotropic, "anisotropic"}};
 };
 
 /// Where a coordinate lies on one axis: the repetition of the tile, modulo 2^32, and the place there in 1/256 texel.
@@ -49,6 +53,13 @@ struct Window {
 
 /// Throws Error(usage) when the window is empty, its origin is outside its tile, or side · step reaches 2^32.
 void check_window(const Window& window, V2i tile_size);
+
+/// The level of detail at which a window is drawn, in 1/256: 256 · log2(step / 256) for trilinear and anisotropic
+/// filters, rounded, in 0 … 256 (level_count + 1); 0 for the others.
+int level_256_of(const Window& window, int level_count);
+
+/// Whether a window is drawn from levels beside level 0: add_levels must come before.
+inline bool needs_levels(const Window& window) { return level_256_of(window, 1) > 0; }
 
 /// Rows row_begin ≤ j < row_end of the window: colours of the base, linear Rec.709. The result does not depend on how
 /// a window is cut into rows, nor on threads.

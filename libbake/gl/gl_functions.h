@@ -42,10 +42,13 @@ struct GlFunctions {
   PFNGLSHADERSOURCEPROC ShaderSource = nullptr;
   PFNGLTEXIMAGE2DPROC TexImage2D = nullptr;
   PFNGLTEXPARAMETERIPROC TexParameteri = nullptr;
+  PFNGLUNIFORM1FPROC Uniform1f = nullptr;
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
   PFNGLUNIFORM1UIPROC Uniform1ui = nullptr;
   PFNGLUNIFORM2IPROC Uniform2i = nullptr;
   PFNGLUNIFORM2UIPROC Uniform2ui = nullptr;
+  PFNGLUNIFORM3FPROC Uniform3f = nullptr;
+  PFNGLUNIFORM4FPROC Uniform4f = nullptr;
   PFNGLUNIFORM4IPROC Uniform4i = nullptr;
   PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   PFNGLVIEWPORTPROC Viewport = nullptr;
@@ -90,10 +93,13 @@ void for_each_gl_function(GlFunctions& gl, Visitor&& visit) {
   visit(gl.ShaderSource, "glShaderSource");
   visit(gl.TexImage2D, "glTexImage2D");
   visit(gl.TexParameteri, "glTexParameteri");
+  visit(gl.Uniform1f, "glUniform1f");
   visit(gl.Uniform1i, "glUniform1i");
   visit(gl.Uniform1ui, "glUniform1ui");
   visit(gl.Uniform2i, "glUniform2i");
   visit(gl.Uniform2ui, "glUniform2ui");
+  visit(gl.Uniform3f, "glUniform3f");
+  visit(gl.Uniform4f, "glUniform4f");
   visit(gl.Uniform4i, "glUniform4i");
   visit(gl.UseProgram, "glUseProgram");
   visit(gl.Viewport, "glViewport");

@@ -35,6 +35,7 @@ struct GlFormat {
 };
 inline constexpr GlFormat kRg16ui{GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT};
 inline constexpr GlFormat kRgba16ui{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT};
+inline constexpr GlFormat kRg32ui{GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT};
 inline constexpr GlFormat kRgba32i{GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
 inline constexpr GlFormat kRgba32ui{GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
 inline constexpr GlFormat kRgba32f{GL_RGBA32F, GL_RGBA, GL_FLOAT};
@@ -43,7 +44,8 @@ inline constexpr GlFormat kRgba32f{GL_RGBA32F, GL_RGBA, GL_FLOAT};
 class GlTexture {
  public:
   GlTexture(const GlFunctions& gl, const GlFormat& format, int width, int height, const void* texels);
-  ~GlTexture() { gl_.DeleteTextures(1, &name_); }
+  ~GlTexture() { gl_.DeleteTextures(1, &name_); }  // 0 is ignored
+  GlTexture(GlTexture&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
   GlTexture(const GlTexture&) = delete;
   GlTexture& operator=(const GlTexture&) = delete;
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "libbake/eval/perspective_program.h"
 #include "libbake/eval/program_of.h"
 #include "libbake/gl/gl_objects.h"
 
@@ -10,26 +11,23 @@ namespace texbake {
 namespace {
 
 /// Texture units, in the order of shaders/bindings.glsl.
-enum Unit { kPatchPlane, kContents, kCenters, kBase, kMasks, kNoiseTiles };
+enum Unit {
+  kPatchPlane,
+  kContents,
+  kCenters,
+  kBase,
+  kMasks,
+  kNoiseTiles,
+  kLevelBlocks,
+  kLevelEntries,
+  kBaseLevels
+};
 
-int plane_kind(MapKind kind) {
-  switch (kind) {
-    case MapKind::normal_opengl:
-      return 1;
-    case MapKind::normal_directx:
-      return 2;
-    case MapKind::height:
-      return 3;
-    case MapKind::structure:
-      return 4;
-    case MapKind::plain:
-      break;
-  }
-  return 0;
-}
-
+/// One texel of zeros stands for what a bundle lacks.
 template <class T>
 GlTexture upload(const GlFunctions& gl, const GlFormat& format, const Image<T>& image) {
+  constexpr uint32_t kZeros[4] = {};
+  if (image.empty()) return GlTexture(gl, format, 1, 1, kZeros);
   return GlTexture(gl, format, image.width(), image.height(), image.data());
 }
 
@@ -39,8 +37,8 @@ struct GlRenderer::State {
   const GlFunctions& gl;
   const EvaluatorPlanes& planes;
   GlProgram program;
-  GlTexture patch_plane, contents, centers, masks, noise_tiles;
-  std::map<const Plane*, GlTexture> values;  ///< uploaded when first drawn
+  GlTexture patch_plane, contents, centers, masks, noise_tiles, level_blocks, level_entries;
+  std::map<const Plane*, std::pair<GlTexture, GlTexture>> values;  ///< texels and levels, uploaded when first drawn
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
 
@@ -52,32 +50,40 @@ struct GlRenderer::State {
         contents(upload(gl, kRgba32i, planes.contents)),
         centers(upload(gl, kRgba32i, planes.centers)),
         masks(upload(gl, kRgba16ui, planes.masks)),
-        noise_tiles(upload(gl, kRgba32f, planes.noise_tiles)) {
+        noise_tiles(upload(gl, kRgba32f, planes.noise_tiles)),
+        level_blocks(upload(gl, kRg32ui, planes.level_blocks)),
+        level_entries(upload(gl, kRg16ui, planes.level_entries)) {
     gl.GenVertexArrays(1, &vertex_array);
   }
   ~State() { gl.DeleteVertexArrays(1, &vertex_array); }
 
-  const GlTexture& texture_of(const Plane& plane) {
+  const std::pair<GlTexture, GlTexture>& textures_of(const Plane& plane) {
     const auto found = values.find(&plane);
     if (found != values.end()) return found->second;
-    const Image<glsl::vec4>& texels = plane.texels;
-    return values.try_emplace(&plane, gl, kRgba32f, texels.width(), texels.height(), texels.data()).first->second;
+    return values.try_emplace(&plane, upload(gl, kRgba32f, plane.texels), upload(gl, kRgba32f, plane.level_values))
+        .first->second;
   }
 
   void bind_textures(const Plane& plane) {
-    const GlTexture& drawn = texture_of(plane);  // first: an upload binds
+    const auto& [texels, levels] = textures_of(plane);  // first: an upload binds
     patch_plane.bind(kPatchPlane);
     contents.bind(kContents);
     centers.bind(kCenters);
-    drawn.bind(kBase);
+    texels.bind(kBase);
+    levels.bind(kBaseLevels);
     masks.bind(kMasks);
     noise_tiles.bind(kNoiseTiles);
+    level_blocks.bind(kLevelBlocks);
+    level_entries.bind(kLevelEntries);
     gl.Uniform1i(program.uniform("patch_plane"), kPatchPlane);
     gl.Uniform1i(program.uniform("contents"), kContents);
     gl.Uniform1i(program.uniform("centers"), kCenters);
     gl.Uniform1i(program.uniform("base"), kBase);
+    gl.Uniform1i(program.uniform("base_levels"), kBaseLevels);
     gl.Uniform1i(program.uniform("masks"), kMasks);
     gl.Uniform1i(program.uniform("noise_tiles"), kNoiseTiles);
+    gl.Uniform1i(program.uniform("level_blocks"), kLevelBlocks);
+    gl.Uniform1i(program.uniform("level_entries"), kLevelEntries);
   }
 
   void set_deformation(const Window& window, bool is_base) {
@@ -94,19 +100,52 @@ struct GlRenderer::State {
     gl.Uniform2i(program.uniform("turbulence"), bound.turbulence.x, bound.turbulence.y);
   }
 
-  void set_uniforms(const Window& window, const Plane& plane) {
+  /// The target's lowest line, read first, is the top row: row `first_row` of the view.
+  void set_tile(MapKind kind, uint32_t seed, int first_row) {
     gl.Uniform2i(program.uniform("tile_size"), planes.size.x, planes.size.y);
     gl.Uniform1i(program.uniform("noise_size"), planes.noise_size);
     gl.Uniform1ui(program.uniform("content_count"), static_cast<GLuint>(planes.content_count));
-    gl.Uniform1ui(program.uniform("seed"), window.seed);
-    set_deformation(window, &plane == &planes.base);
-    gl.Uniform2ui(program.uniform("origin_tile"), window.origin_x.tile, window.origin_y.tile);
-    gl.Uniform2i(program.uniform("origin_offset"), static_cast<GLint>(window.origin_x.offset_256),
-                 static_cast<GLint>(window.origin_y.offset_256));
+    gl.Uniform1ui(program.uniform("seed"), seed);
+    gl.Uniform1i(program.uniform("level_count"), planes.level_count);
+    gl.Uniform1i(program.uniform("first_level"), planes.first_level);
+    gl.Uniform2i(program.uniform("first_row"), first_row, 1);
+    gl.Uniform1i(program.uniform("plane_kind"), plane_kind(kind));
+  }
+
+  void set_origin(const TileOffset& x, const TileOffset& y) {
+    gl.Uniform2ui(program.uniform("origin_tile"), x.tile, y.tile);
+    gl.Uniform2i(program.uniform("origin_offset"), static_cast<GLint>(x.offset_256), static_cast<GLint>(y.offset_256));
+  }
+
+  void set_view(const Window& window) {
     gl.Uniform1ui(program.uniform("step_256"), window.step_256);
-    gl.Uniform2i(program.uniform("first_row"), 0, 1);  // the lowest line, read first, is the top row
-    gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::bilinear ? 1 : 0);
-    gl.Uniform1i(program.uniform("plane_kind"), plane_kind(plane.kind));
+    gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::nearest ? 0 : 1);
+    gl.Uniform1i(program.uniform("level_256"), level_256_of(window, planes.level_count));
+  }
+
+  void set_view(const Perspective& view, const V3f& sky) {
+    const PerspectiveRays rays = rays_of(view);
+    const auto set = [&](const char* name, const glsl::vec3& v) { gl.Uniform3f(program.uniform(name), v.x, v.y, v.z); };
+    set("view_corner", rays.corner);
+    set("view_right", rays.right);
+    set("view_down", rays.down);
+    gl.Uniform1f(program.uniform("view_height"), rays.height);
+    gl.Uniform1i(program.uniform("view_filter"), view_filter(view.filter));
+    gl.Uniform4f(program.uniform("sky"), sky.x, sky.y, sky.z, 0);
+  }
+
+  /// Makes the target, the program and the textures current.
+  void begin(int width, int height, const Plane& plane) {
+    if (!target || target->width() != width || target->height() != height) target.emplace(gl, width, height);
+    target->bind();
+    gl.UseProgram(program.name());
+    bind_textures(plane);
+  }
+
+  void draw() {
+    gl.BindVertexArray(vertex_array);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.Finish();
   }
 };
 
@@ -121,15 +160,23 @@ GlRenderer::~GlRenderer() = default;
 void GlRenderer::draw_only(const Window& window, const Plane& plane) {
   State& s = *state_;
   check_window(window, s.planes.size);
-  if (!s.target || s.target->width() != window.width || s.target->height() != window.height)
-    s.target.emplace(s.gl, window.width, window.height);
-  s.target->bind();
-  s.gl.UseProgram(s.program.name());
-  s.bind_textures(plane);
-  s.set_uniforms(window, plane);
-  s.gl.BindVertexArray(s.vertex_array);
-  s.gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  s.gl.Finish();
+  s.begin(window.width, window.height, plane);
+  s.set_tile(plane.kind, window.seed, 0);
+  s.set_deformation(window, &plane == &s.planes.base);
+  s.set_origin(window.origin_x, window.origin_y);
+  s.set_view(window);
+  s.draw();
+}
+
+void GlRenderer::draw_only(const Perspective& view, const Plane& plane, int row_begin, int row_end) {
+  State& s = *state_;
+  check_perspective(view, s.planes.size);
+  s.begin(view.width, row_end - row_begin, plane);
+  s.set_tile(plane.kind, view.seed, row_begin);
+  s.gl.Uniform1i(s.program.uniform("deformed"), 0);
+  s.set_origin(view.origin_x, view.origin_y);
+  s.set_view(view, &plane == &s.planes.base ? view.sky : V3f(0));
+  s.draw();
 }
 
 Frame GlRenderer::read() const {
@@ -143,6 +190,13 @@ Frame GlRenderer::read() const {
 
 Frame GlRenderer::draw(const Window& window, const Plane& plane) {
   draw_only(window, plane);
+  return read();
+}
+
+Frame GlRenderer::draw(const Perspective& view, const Plane& plane) { return draw(view, plane, 0, view.height); }
+
+Frame GlRenderer::draw(const Perspective& view, const Plane& plane, int row_begin, int row_end) {
+  draw_only(view, plane, row_begin, row_end);
   return read();
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "libbake/eval/frame.h"
+#include "libbake/eval/perspective.h"
 #include "libbake/eval/window.h"
 #include "libbake/gl/gl_context.h"
 
@@ -23,8 +24,14 @@ class GlRenderer {
   /// The window, at most the driver's largest texture on each side. `plane` is the planes' base or one of its maps.
   Frame draw(const Window& window, const Plane& plane);
 
+  /// The same of a perspective view, with a renderer of perspective_fragment_shader: as perspective_frame gives it, or
+  /// rows row_begin ≤ j < row_end of that.
+  Frame draw(const Perspective& view, const Plane& plane);
+  Frame draw(const Perspective& view, const Plane& plane, int row_begin, int row_end);
+
   /// The two halves of `draw`, for measuring: draws into the target and waits until it is drawn; reads the target.
   void draw_only(const Window& window, const Plane& plane);
+  void draw_only(const Perspective& view, const Plane& plane, int row_begin, int row_end);
   Frame read() const;
 
  private:

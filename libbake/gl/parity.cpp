@@ -61,6 +61,10 @@ std::vector<Window> parity_windows(V2i tile_size, const ParityOptions& options) 
     window.width = window.height = options.side;
     window.seed = random.next();
     window.filter = i % 2 == 0 ? Filter::bilinear : Filter::nearest;
+    if (i % 4 == 2) {
+      window.filter = Filter::trilinear;
+      window.step_256 <<= random.below(8);
+    }
     windows.push_back(window);
   }
   return windows;

@@ -9,14 +9,14 @@
 namespace texbake {
 
 struct ParityOptions {
-  int windows = 16;        ///< at least, each of side × side pixels, both filters in turn
+  int windows = 16;        ///< at least, each of side × side pixels, all filters in turn
   int most_windows = 256;  ///< more are drawn until every content was seen, or there are this many
   int side = 256;
   uint32_t seed = 1;  ///< of the choice of windows; each has its own seed of contents
 };
 
 /// Random windows: origins near tile 0, at negative coordinates, near 2^31 and 2^32 and anywhere; steps from 1/16 to 8
-/// texels to a pixel.
+/// texels to a pixel, with the trilinear filter to 1024.
 std::vector<Window> parity_windows(V2i tile_size, const ParityOptions& options = {});
 
 /// The window in which values differ most.
@@ -48,7 +48,7 @@ struct ParityReport {
   bool equal() const { return differing_decisions == 0 && differing_points == 0; }
 };
 
-/// Base and every map of `planes`.
+/// Base and every map of `planes`, whose levels were added.
 ParityReport check_parity(const EvaluatorPlanes& planes, const GlContext& context, const ParityOptions& options = {});
 
 }  // namespace texbake

@@ -38,7 +38,7 @@ TEST(Camera, WhatIsLeftOutIsRendersDefault) {
   const Camera camera = camera_of(Json::parse(R"({"window": {"map": null}})"), "a.json");
   EXPECT_EQ(camera.window.origin, WindowOptions().origin);
   EXPECT_EQ(camera.window.step_texels, 1);
-  EXPECT_EQ(camera.window.filter, Filter::bilinear);
+  EXPECT_EQ(camera.window.filter, Filter::trilinear);
   EXPECT_FALSE(camera.map);
   EXPECT_FALSE(camera.frame_size);
 }

@@ -31,6 +31,15 @@ TEST(VerifyGl, OneDifferingLanguageIsANo) {
   EXPECT_EQ(parity_outcome({{GlLanguage::core, report_with(1, 0)}}, {8, 8}).code, ExitCode::no);
 }
 
+TEST(VerifyGl, OnePixelInTwentyMaySeeAnotherPlaceButNoneAnotherValue) {
+  const auto code = [](uint64_t sights, uint64_t values) {
+    return parity_outcome({{GlLanguage::core, report_with(0, 0), {1000, sights, values}}}, {8, 8}).code;
+  };
+  EXPECT_EQ(code(50, 0), ExitCode::done);
+  EXPECT_EQ(code(51, 0), ExitCode::no);
+  EXPECT_EQ(code(0, 1), ExitCode::no);
+}
+
 TEST(VerifyGl, WhereItDiffersIsAPointOfTheTextureWithBothValues) {
   ParityReport report = report_with(1, 1);
   Window window;

@@ -303,6 +303,7 @@ std::vector<Fault> faults_of_the_tables() {
       {.id = noise_strength,
        .bundle = [](Bundle& bundle) { bundle.scales[0].structure = bundle.scales[0].exemplar.clone(); }},
       {.id = state_mismatch, .manifest = [](Json& json) { json["stages"][5]["output"] = std::string(64, 'b'); }},
+      {.id = soft_border_width, .manifest = [](Json& json) { scale_of(json)["softBorder"] = 30; }},
       {.id = chain_broken, .manifest = [](Json& json) { json["stages"][2]["input"] = std::string(64, 'b'); }},
       {.id = stage_missing, .manifest = [](Json& json) { json["stages"].erase(1); }},
       {.id = stage_missing, .manifest = [](Json& json) { json["stages"].erase(2); }},

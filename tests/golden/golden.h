@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libbake/eval/frame.h"
+#include "libbake/eval/levels.h"
 
 namespace texbake {
 
@@ -15,6 +16,9 @@ struct GoldenPoint {
   uint32_t seed = 0;
   PixelDecision decision;
   V3f nearest{0}, bilinear{0};
+  uint32_t step_256 = 0;  ///< of the trilinear filter; 0 where there is none
+  int level_256 = 0;
+  V3f trilinear{0};
 
   /// A window whose one pixel has its centre at the point.
   Window window(Filter filter) const {
@@ -27,6 +31,21 @@ struct GoldenPoint {
     window.filter = filter;
     return window;
   }
+
+  /// One whose one pixel, as large as the trilinear filter's, has its centre there.
+  Window trilinear_window(V2i tile_size) const {
+    Window window = this->window(Filter::trilinear);
+    window.step_256 = step_256;
+    window.origin_x = before(x, tile_size.x);
+    window.origin_y = before(y, tile_size.y);
+    return window;
+  }
+
+ private:
+  TileOffset before(const TileOffset& at, int side) const {
+    const TileOffset moved = tile_offset(0, int64_t{at.offset_256} - step_256 / 2, side);
+    return {at.tile + moved.tile, moved.offset_256};
+  }
 };
 
 struct Golden {
@@ -35,7 +54,7 @@ struct Golden {
   std::vector<GoldenPoint> points;
 };
 
-inline const char* const kGoldenNames[] = {"plain", "moved", "turned", "noise"};
+inline const char* const kGoldenNames[] = {"plain", "moved", "turned", "noise", "levels"};
 
 inline V3f golden_color(const nlohmann::json& json) {
   return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
@@ -91,6 +110,11 @@ inline GoldenPoint golden_point(const nlohmann::json& json) {
   point.decision = {json.at("patch"), json.at("content"), json.at("source").at(0), json.at("source").at(1)};
   point.nearest = golden_color(json.at("nearest"));
   point.bilinear = golden_color(json.at("bilinear"));
+  if (json.contains("trilinear")) {
+    point.step_256 = json.at("step_256");
+    point.level_256 = json.at("level_256");
+    point.trilinear = golden_color(json.at("trilinear"));
+  }
   return point;
 }
 
@@ -113,6 +137,7 @@ inline Golden read_golden(const std::string& name) {
   input.contents = &contents;
   if (!masks.empty()) input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}};
   golden.planes = prepare(input);
+  add_levels(golden.planes);
   for (const auto& point : json.at("points")) golden.points.push_back(golden_point(point));
   return golden;
 }

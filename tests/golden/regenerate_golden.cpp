@@ -5,7 +5,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "tests/libbake/eval/painter.h"
+#include "libbake/eval/levels.h"
+#include "tests/libbake/eval/level_painter.h"
 
 namespace texbake {
 namespace {
@@ -64,6 +65,27 @@ Json point_json(const SmallTile& tile, const Point& point) {
           {"bilinear", color_json(Painter::blend(color(0, 0), color(1, 0), color(0, 1), color(1, 1), wx, wy))}};
 }
 
+/// Steps of pixels with whole and fractional levels, up to `levels`.
+struct Step {
+  uint32_t step_256;
+  int level_256;
+};
+Step step_of(Random& random, int levels) {
+  const uint32_t step_256 = random.below(4) == 0 ? 256u << random.below(static_cast<uint32_t>(levels) + 1)
+                                                 : 256 + random.below((256u << levels) - 255);
+  return {step_256, static_cast<int>(std::lround(256 * std::log2(step_256 / 256.0)))};
+}
+
+/// The points with the trilinear filter beside.
+Json leveled_json(const SmallTile& tile, const Point& point, Random& random) {
+  const Step step = step_of(random, level_count_of(tile.size()));
+  Json json = point_json(tile, point);
+  json["step_256"] = step.step_256;
+  json["level_256"] = step.level_256;
+  json["trilinear"] = color_json(LevelPainter(tile, point.seed).trilinear(point.x_256, point.y_256, step.level_256));
+  return json;
+}
+
 Json tile_json(const SmallTile& tile) {
   const Partition& partition = tile.patches.partition;
   Json json = {{"semantics", kShaderSemantics}, {"size", {tile.size().x, tile.size().y}}};
@@ -88,15 +110,20 @@ Json tile_json(const SmallTile& tile) {
   return json;
 }
 
+enum class Levels { without, with };
+
 /// Members and points one to a line.
-std::string text_of(const SmallTile& tile) {
+std::string text_of(const SmallTile& tile, Levels levels) {
+  Random random(2025, 6);
   std::string text = "{\n";
   const Json members = tile_json(tile);
   for (const auto& [key, value] : members.items()) text += "\"" + key + "\": " + value.dump() + ",\n";
   text += "\"points\": [\n";
   const std::vector<Point> points = points_of(tile.size());
-  for (size_t i = 0; i < points.size(); ++i)
-    text += point_json(tile, points[i]).dump() + (i + 1 < points.size() ? ",\n" : "\n");
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Json json = levels == Levels::with ? leveled_json(tile, points[i], random) : point_json(tile, points[i]);
+    text += json.dump() + (i + 1 < points.size() ? ",\n" : "\n");
+  }
   return text + "]\n}\n";
 }
 
@@ -117,12 +144,16 @@ bool write(const std::string& path, const std::string& text) {
 
 /// All files; false where one was not written.
 bool write_all(const std::string& folder) {
-  bool done = write(folder + "/plain.json", text_of(random_tile({16, 16}, 1, Contents::moved, 101)));
-  done = write(folder + "/moved.json", text_of(random_tile({32, 24}, 5, Contents::moved, 102))) && done;
-  done = write(folder + "/turned.json", text_of(random_tile({24, 32}, 4, Contents::turned, 103))) && done;
+  const auto done = [&](const char* name, const SmallTile& tile, Levels levels) {
+    return write(folder + "/" + name + ".json", text_of(tile, levels));
+  };
+  bool all = done("plain", random_tile({16, 16}, 1, Contents::moved, 101), Levels::without);
+  all = done("moved", random_tile({32, 24}, 5, Contents::moved, 102), Levels::without) && all;
+  all = done("turned", random_tile({24, 32}, 4, Contents::turned, 103), Levels::without) && all;
   SmallTile noise = random_tile({24, 20}, 4, Contents::turned, 104);
   add_noise(noise, 3, 16, 104);
-  return write(folder + "/noise.json", text_of(noise)) && done;
+  all = done("noise", noise, Levels::without) && all;
+  return done("levels", random_tile({16, 32}, 3, Contents::turned, 104), Levels::with) && all;
 }
 
 }  // namespace

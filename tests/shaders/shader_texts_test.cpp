@@ -19,7 +19,7 @@ TEST(ShaderTexts, TheCoreIsTheSameTextInEachLanguage) {
 }
 
 TEST(ShaderTexts, TheExactPathUsesNoBannedWord) {
-  for (const char* name : {"hash.glsl", "content.glsl", "sample.glsl"})
+  for (const char* name : {"hash.glsl", "content.glsl", "sample.glsl", "levels.glsl"})
     for (const char* word : {"fma(", "mix(", "dot(", "normalize(", "smoothstep(", "pow(", "exp(", "sin(", "cos(",
                              "texture(", "textureLod(", "textureGrad(", "inversesqrt("})
       EXPECT_EQ(shader_text(name).find(word), std::string_view::npos) << word << " in " << name;

@@ -8,6 +8,8 @@ mkdir -p "$3" && rm -f "$3"/*
 "$2" -l "$3/300es.vert" "$3/300es.frag"
 "$2" -l -DPRECISE= "$3/330.vert" "$3/330_viewer.frag"
 "$2" -l "$3/300es.vert" "$3/300es_viewer.frag"
+"$2" -l -DPRECISE= "$3/330.vert" "$3/330_perspective.frag"
+"$2" -l "$3/300es.vert" "$3/300es_perspective.frag"
 sed 's/#version 330 core/#version 400 core/' "$3/330.frag" > "$3/400.frag"
 "$2" "$3/400.frag"
 sed 's/uvec2 tile;/vec2 tile;/' "$3/300es.frag" > "$3/broken.frag"

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
        {std::pair(ShaderLanguage::glsl_330, "330"), {ShaderLanguage::glsl_300_es, "300es"}}) {
     done = write(std::string(name) + ".vert", texbake::reference_vertex_shader(language)) && done;
     done = write(std::string(name) + ".frag", texbake::reference_fragment_shader(language)) && done;
+    done = write(std::string(name) + "_perspective.frag", texbake::perspective_fragment_shader(language)) && done;
     done = write(std::string(name) + "_viewer.frag", texbake::viewer_fragment_shader(language)) && done;
   }
   return done ? 0 : 4;

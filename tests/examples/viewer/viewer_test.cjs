@@ -53,6 +53,9 @@ async function checkGolden(browser, tile) {
         assert.ok(difference <= 8 * 2 ** -24, `${where}: ${filter} differs by ${difference}`);
         if (difference !== 0) ++inexact;
       });
+    // Levels travel as half floats: half a step of values up to 4, and of the two that a fraction lies between.
+    (point.trilinear || []).forEach((expected, c) =>
+      assert.ok(Math.abs(found[i].trilinear[c] - expected) <= 2 ** -9, `${where}: trilinear`));
   });
   assert.deepStrictEqual(problems, []);
   await page.close();
@@ -103,7 +106,7 @@ async function checkHandling(browser) {
 async function main() {
   const browser = await chromium.launch({executablePath, args: kSwitches});
   try {
-    for (const tile of ['plain', 'moved', 'turned']) await checkGolden(browser, tile);
+    for (const tile of ['plain', 'moved', 'turned', 'levels']) await checkGolden(browser, tile);
     await checkHandling(browser);
   } finally {
     await browser.close();

@@ -23,6 +23,10 @@ TEST(Golden, TheProcessorGivesEveryVector) {
       EXPECT_EQ(color_at(frame), point.nearest) << name;
       EXPECT_EQ(color_at(reference_frame(golden.planes, bilinear, golden.planes.base)), point.bilinear) << name;
       EXPECT_EQ(render_rows(golden.planes, bilinear, 0, 1)(0, 0), point.bilinear) << name;
+      if (point.step_256 == 0) continue;
+      const Window trilinear = point.trilinear_window(golden.planes.size);
+      EXPECT_EQ(level_256_of(trilinear, golden.planes.level_count), point.level_256) << name;
+      EXPECT_EQ(color_at(reference_frame(golden.planes, trilinear, golden.planes.base)), point.trilinear) << name;
     }
   }
 }

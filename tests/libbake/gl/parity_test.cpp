@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gl_test_context.h"
+#include "libbake/eval/levels.h"
 #include "tests/libbake/eval/small_tile.h"
 
 namespace texbake {
@@ -14,7 +15,8 @@ class Parity : public testing::TestWithParam<ShaderLanguage> {
     context_ = test_context(GetParam());
     if (!context_) GTEST_SKIP() << "no OpenGL";
   }
-  ParityReport check(const EvaluatorPlanes& planes, const ParityOptions& options) {
+  ParityReport check(EvaluatorPlanes planes, const ParityOptions& options) {
+    add_levels(planes);
     const ParityReport report = check_parity(planes, *context_, options);
     EXPECT_EQ(report.differing_decisions, 0u) << report.driver;
     EXPECT_EQ(report.differing_bits, 0u) << report.driver;
@@ -71,6 +73,11 @@ TEST_P(Parity, DeformedWindowsDifferInNoBit) {
     const Frame expected = reference_frame(planes, window, planes.base);
     EXPECT_EQ(renderer.draw(window, planes.base).values, expected.values);
   }
+TEST_P(Parity, SoftBordersDifferInNoBit) {
+  const SmallTile tile = random_tile({64, 96}, 5, Contents::turned, 6);
+  EvaluatorInput input = tile.input();
+  input.soft_border_px = 4;
+  check(prepare(input), {.windows = 12, .side = 128, .seed = 6});
 }
 
 TEST_P(Parity, ALargeTileDiffersInNoBit) {

@@ -1,0 +1,157 @@
+#include "libbake/eval/perspective.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+
+#include "libbake/base/error.h"
+#include "libbake/base/parallel.h"
+#include "libbake/base/portable_math.h"
+#include "libbake/eval/perspective_program.h"
+
+namespace texbake {
+namespace {
+
+using glsl::PerspectiveProgram;
+using glsl::Position;
+using glsl::sampler2D;
+using glsl::Sight;
+using glsl::vec4;
+
+constexpr double kRadiansPerDegree = 0.017453292519943295;
+
+/// A plane as the text takes it.
+struct Drawn {
+  sampler2D texels;
+  int kind;
+  sampler2D levels;
+
+  explicit Drawn(const Plane& plane)
+      : texels(sampler_of(plane.texels)), kind(plane_kind(plane.kind)), levels(sampler_of(plane.level_values)) {
+    assert(!plane.level_values.empty());
+  }
+  vec4 value(PerspectiveProgram& program, const Sight& sight) const {
+    if (program.view_filter == 0) return program.texel_value(texels, kind, levels, program.texel_at(sight.probes.at));
+    return program.probes_value(texels, kind, levels, sight.probes);
+  }
+};
+
+Position below(const Perspective& view) {
+  return {{view.origin_x.tile, view.origin_y.tile},
+          {static_cast<int>(view.origin_x.offset_256), static_cast<int>(view.origin_y.offset_256)}};
+}
+
+vec4 sky_of(const Perspective& view, const Plane& plane, const EvaluatorPlanes& planes) {
+  if (&plane != &planes.base) return {0, 0, 0, 0};
+  return {view.sky.x, view.sky.y, view.sky.z, 0};
+}
+
+V3f color_of(const vec4& value) { return {value.x, value.y, value.z}; }
+
+/// A direction in the texture's axes and towards it, as its float.
+glsl::vec3 direction(double x, double y, double z) {
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
+void check_range(const char* name, double value, double min, double max) {
+  if (!(value >= min && value <= max))
+    throw Error(ErrorKind::usage, fmt::format("--{}: expected {} to {}, found {}", name, min, max, value));
+}
+
+}  // namespace
+
+void check_perspective(const Perspective& view, V2i tile_size) {
+  if (view.width < 1 || view.height < 1 || view.width > 1 << 20 || view.height > 1 << 20)
+    throw Error(ErrorKind::usage, fmt::format("view: expected 1 to {} pixels on each side, found {} x {}", 1 << 20,
+                                              view.width, view.height));
+  check_range("camera-height", view.height_texels, 0.001, 1e6);
+  check_range("pitch", view.pitch_deg, -90, 90);
+  check_range("yaw", view.yaw_deg, -360, 360);
+  check_range("fov", view.fov_deg, 0.01, 170);
+  const auto side_256 = [](int side) { return static_cast<uint32_t>(side) * 256u; };
+  if (view.origin_x.offset_256 >= side_256(tile_size.x) || view.origin_y.offset_256 >= side_256(tile_size.y))
+    throw Error(ErrorKind::usage, "view: expected an origin inside its tile");
+}
+
+PerspectiveRays rays_of(const Perspective& view) {
+  const double pitch = view.pitch_deg * kRadiansPerDegree, yaw = view.yaw_deg * kRadiansPerDegree;
+  const double half = view.fov_deg * 0.5 * kRadiansPerDegree;
+  const double pixel = 2 * portable_sin(half) / portable_cos(half) / view.height;
+  const double ahead[2] = {portable_sin(yaw), -portable_cos(yaw)};
+  const double cos_pitch = portable_cos(pitch), sin_pitch = portable_sin(pitch);
+
+  const double right[3] = {-ahead[1] * pixel, ahead[0] * pixel, 0};
+  const double down[3] = {-sin_pitch * ahead[0] * pixel, -sin_pitch * ahead[1] * pixel, cos_pitch * pixel};
+  const double forward[3] = {cos_pitch * ahead[0], cos_pitch * ahead[1], sin_pitch};
+  const auto corner = [&](int i) { return forward[i] - right[i] * view.width * 0.5 - down[i] * view.height * 0.5; };
+  return {direction(corner(0), corner(1), corner(2)), direction(right[0], right[1], right[2]),
+          direction(down[0], down[1], down[2]), static_cast<float>(view.height_texels)};
+}
+
+Image<V3f> render_perspective_rows(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
+                                   int row_begin, int row_end) {
+  check_perspective(view, planes.size);
+  const Drawn drawn(plane);
+  const PerspectiveProgram shared = perspective_program_of(planes, view);
+  const V3f sky = color_of(sky_of(view, plane, planes));
+  Image<V3f> rows(view.width, row_end - row_begin);
+  parallel_for(0, rows.height(), [&](int j) {
+    PerspectiveProgram program = shared;
+    for (int i = 0; i < rows.width(); ++i) {
+      const Sight sight =
+          program.sight_at(below(view), static_cast<float>(i) + 0.5f, static_cast<float>(row_begin + j) + 0.5f);
+      rows(i, j) = sight.hits ? color_of(drawn.value(program, sight)) : sky;
+    }
+  });
+  return rows;
+}
+
+Image<V3f> supersampled_perspective_rows(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
+                                         int samples, int row_begin, int row_end) {
+  check_perspective(view, planes.size);
+  const Drawn drawn(plane);
+  PerspectiveProgram shared = perspective_program_of(planes, view);
+  shared.view_filter = view.filter == Filter::nearest ? 0 : 1;
+  const V3f sky = color_of(sky_of(view, plane, planes));
+  const auto place = [&](int pixel, int k) {
+    return static_cast<float>(pixel) + (static_cast<float>(k) + 0.5f) / static_cast<float>(samples);
+  };
+  Image<V3f> rows(view.width, row_end - row_begin);
+  parallel_for(0, rows.height(), [&](int j) {
+    PerspectiveProgram program = shared;
+    for (int i = 0; i < rows.width(); ++i) {
+      Imath::V3d sum(0);
+      for (int l = 0; l < samples; ++l)
+        for (int k = 0; k < samples; ++k) {
+          const Sight sight = program.sight_at(below(view), place(i, k), place(row_begin + j, l));
+          sum += Imath::V3d(sight.hits ? color_of(drawn.value(program, sight)) : sky);
+        }
+      rows(i, j) = V3f(sum / (double{1} * samples * samples));
+    }
+  });
+  return rows;
+}
+
+Frame perspective_frame(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view) {
+  check_perspective(view, planes.size);
+  const Drawn drawn(plane);
+  const PerspectiveProgram shared = perspective_program_of(planes, view);
+  Frame frame{Image<vec4>(view.width, view.height, sky_of(view, plane, planes)),
+              Image<PixelDecision>(view.width, view.height)};
+  parallel_for(0, view.height, [&](int j) {
+    PerspectiveProgram program = shared;
+    for (int i = 0; i < view.width; ++i) {
+      const Sight sight = program.sight_at(below(view), static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f);
+      if (!sight.hits) continue;
+      frame.values(i, j) = drawn.value(program, sight);
+      const glsl::Probes& probes = sight.probes;
+      frame.decisions(i, j) = {
+          static_cast<uint32_t>(probes.at.offset.x), static_cast<uint32_t>(probes.at.offset.y),
+          static_cast<uint32_t>(probes.level_256) | (static_cast<uint32_t>(probes.halvings) + 1u) << 16,
+          (static_cast<uint32_t>(probes.axis_256.x) & 65535u) | static_cast<uint32_t>(probes.axis_256.y) << 16};
+    }
+  });
+  return frame;
+}
+
+}  // namespace texbake

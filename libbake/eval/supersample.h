@@ -1,0 +1,14 @@
+// Windows by brute force: the mean of many points of every pixel. The truth that filters are measured by.
+#pragma once
+
+#include "libbake/eval/window.h"
+
+namespace texbake {
+
+/// Rows row_begin ≤ j < row_end of the window, each pixel the mean in double of samples × samples points of level 0,
+/// evenly spaced in it and rounded down to 1/256 texel; a point is the texel that it lies in where the window's filter
+/// is nearest, else bilinear. With nearest and as many samples as texels, a pixel is the box mean of its texels.
+Image<V3f> supersampled_rows(const EvaluatorPlanes& planes, const Plane& plane, const Window& window, int samples,
+                             int row_begin, int row_end);
+
+}  // namespace texbake

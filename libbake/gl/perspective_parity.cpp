@@ -1,0 +1,56 @@
+#include "libbake/gl/perspective_parity.h"
+
+#include <cstring>
+#include <vector>
+
+namespace texbake {
+namespace {
+
+constexpr int kWidth = 192, kHeight = 128;
+
+/// From above a brick to a view of the horizon, at origins where arithmetic could go wrong.
+std::vector<Perspective> telling_views() {
+  constexpr double kHeights[] = {20, 300, 5000};
+  constexpr double kPitches[] = {90, 35, 8};
+  constexpr uint32_t kTiles[] = {0, 0xffffffffu, 0x80000000u};
+  constexpr Filter kFilters[] = {Filter::anisotropic, Filter::trilinear, Filter::bilinear, Filter::nearest};
+  std::vector<Perspective> views;
+  for (size_t i = 0; i < 9; ++i) {
+    Perspective view;
+    view.height_texels = kHeights[i % 3];
+    view.pitch_deg = kPitches[i / 3];
+    view.yaw_deg = 37.0 * static_cast<double>(i);
+    view.origin_x = {kTiles[i % 3], 77};
+    view.origin_y = {kTiles[i / 3], 1};
+    view.width = kWidth;
+    view.height = kHeight;
+    view.seed = static_cast<uint32_t>(i);
+    view.filter = kFilters[i < 6 ? 0 : i - 5];
+    views.push_back(view);
+  }
+  return views;
+}
+
+void add(PerspectiveParity& parity, const Frame& expected, const Frame& found) {
+  parity.pixels += expected.values.size();
+  for (size_t i = 0; i < expected.values.size(); ++i) {
+    if (expected.decisions.data()[i] != found.decisions.data()[i])
+      ++parity.differing_sights;
+    else if (std::memcmp(expected.values.data() + i, found.values.data() + i, sizeof(glsl::vec4)) != 0)
+      ++parity.differing_values;
+  }
+}
+
+}  // namespace
+
+PerspectiveParity check_perspective_parity(const EvaluatorPlanes& planes, const GlContext& context) {
+  GlRenderer renderer(context, planes, perspective_fragment_shader(context.language()));
+  PerspectiveParity parity;
+  for (const Perspective& view : telling_views()) {
+    add(parity, perspective_frame(planes, planes.base, view), renderer.draw(view, planes.base));
+    for (const Plane& map : planes.maps) add(parity, perspective_frame(planes, map, view), renderer.draw(view, map));
+  }
+  return parity;
+}
+
+}  // namespace texbake

@@ -1,0 +1,88 @@
+// Levels of detail by definition, from painted texels: slow, and shares no line with the evaluator.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "painter.h"
+
+namespace texbake {
+
+class LevelPainter {
+ public:
+  LevelPainter(const SmallTile& tile, uint32_t seed) : tile_(tile), painter_(tile, seed) {}
+
+  /// The point in 1/256 texel from the infinite texture's origin, between two levels, level_256 / 256 being at most the
+  /// tile's last.
+  V3f trilinear(int64_t x_256, int64_t y_256, int level_256) const {
+    const int level = level_256 / 256;
+    const V3f finer = bilinear(x_256, y_256, level);
+    if (level_256 % 256 == 0) return finer;
+    const V3f coarser = bilinear(x_256, y_256, level + 1);
+    const float w = static_cast<float>(level_256 % 256) / 256;
+    V3f blended;
+    for (int c = 0; c < 3; ++c) blended[c] = finer[c] + (coarser[c] - finer[c]) * w;
+    return blended;
+  }
+
+  /// Block (x, y), counted from the infinite texture's origin.
+  V3f block(int64_t x, int64_t y, int level) const {
+    const int side = 1 << level;
+    const Painting painting = painter_.paint(x * side, y * side, side, side);
+    V3f sum(0);
+    for (const Shape& shape : shapes(painting, {0, 0}, side, {})) sum += share(painting, shape, {0, 0}, side);
+    return sum;
+  }
+
+ private:
+  /// A patch, and in which repetition from the block's own its centre lies.
+  struct Shape {
+    uint32_t patch;
+    OwnerOffset owner;
+    bool operator==(const Shape&) const = default;
+  };
+
+  Shape shape_at(const Painting& painting, V2i p) const {
+    const Partition& partition = tile_.patches.partition;
+    const V2i n = tile_.size();
+    const int64_t x = painting.x0 + p.x, y = painting.y0 + p.y;
+    const V2i at(static_cast<int>(x - Painter::floor_div(x, n.x) * n.x),
+                 static_cast<int>(y - Painter::floor_div(y, n.y) * n.y));
+    return {partition.idx(at.x, at.y), partition.owner(at.x, at.y)};
+  }
+
+  static constexpr V2i quarter(V2i p, int half, int i) { return {p.x + half * (i % 2), p.y + half * (i / 2)}; }
+
+  /// Those under a square, each once, as its quarters bring them.
+  std::vector<Shape> shapes(const Painting& painting, V2i p, int side, std::vector<Shape> known) const {
+    if (side > 1) {
+      for (int i = 0; i < 4; ++i) known = shapes(painting, quarter(p, side / 2, i), side / 2, std::move(known));
+      return known;
+    }
+    const Shape shape = shape_at(painting, p);
+    if (std::find(known.begin(), known.end(), shape) == known.end()) known.push_back(shape);
+    return known;
+  }
+
+  V3f share(const Painting& painting, const Shape& shape, V2i p, int side) const {
+    if (side == 1) return shape_at(painting, p) == shape ? painting.color(p.x, p.y) : V3f(0);
+    V3f sum(0);
+    for (int i = 0; i < 4; ++i) sum += share(painting, shape, quarter(p, side / 2, i), side / 2);
+    return sum * 0.25f;
+  }
+
+  V3f bilinear(int64_t x_256, int64_t y_256, int level) const {
+    const int64_t side_256 = int64_t{256} << level;
+    const int64_t u = x_256 - side_256 / 2, v = y_256 - side_256 / 2;
+    const int64_t x = Painter::floor_div(u, side_256), y = Painter::floor_div(v, side_256);
+    const auto weight = [&](int64_t rest) { return static_cast<double>(rest * 256 / side_256) / 256; };
+    return Painter::blend(block(x, y, level), block(x + 1, y, level), block(x, y + 1, level),
+                          block(x + 1, y + 1, level), weight(u - x * side_256), weight(v - y * side_256));
+  }
+
+  const SmallTile& tile_;
+  Painter painter_;
+};
+
+}  // namespace texbake
