@@ -81,12 +81,9 @@ void check_folder(const fs::path& folder) {
 }  // namespace
 
 std::string web_texture_script(const EvaluatorPlanes& planes) {
-  Json texture = {{"semantics", kSemantics},
-                  {"size", {planes.size.x, planes.size.y}},
-                  {"patch_count", planes.patch_count},
-                  {"content_count", planes.content_count},
-                  {"noise_size", planes.noise_size},
-                  {"level_count", planes.level_count},
+  Json texture = {{"semantics", kSemantics},           {"size", {planes.size.x, planes.size.y}},
+                  {"patch_count", planes.patch_count}, {"content_count", planes.content_count},
+                  {"noise_size", planes.noise_size},   {"level_count", planes.level_count},
                   {"first_level", planes.first_level}};
   Json& json = texture["planes"];
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);

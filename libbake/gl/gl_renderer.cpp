@@ -11,17 +11,7 @@ namespace texbake {
 namespace {
 
 /// Texture units, in the order of shaders/bindings.glsl.
-enum Unit {
-  kPatchPlane,
-  kContents,
-  kCenters,
-  kBase,
-  kMasks,
-  kNoiseTiles,
-  kLevelBlocks,
-  kLevelEntries,
-  kBaseLevels
-};
+enum Unit { kPatchPlane, kContents, kCenters, kBase, kMasks, kNoiseTiles, kLevelBlocks, kLevelEntries, kBaseLevels };
 
 /// One texel of zeros stands for what a bundle lacks.
 template <class T>

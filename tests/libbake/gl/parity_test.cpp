@@ -73,6 +73,8 @@ TEST_P(Parity, DeformedWindowsDifferInNoBit) {
     const Frame expected = reference_frame(planes, window, planes.base);
     EXPECT_EQ(renderer.draw(window, planes.base).values, expected.values);
   }
+}
+
 TEST_P(Parity, SoftBordersDifferInNoBit) {
   const SmallTile tile = random_tile({64, 96}, 5, Contents::turned, 6);
   EvaluatorInput input = tile.input();
