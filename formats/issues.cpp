@@ -106,6 +106,8 @@ constexpr IssueKind kKinds[] = {
      kBakeAgain},
     {content_repeated, "content-repeated", kWarning, kData, "a patch has the same content twice",
      "run select-contents again"},
+    {soft_border_width, "soft-border-width", kError, kData,
+     "softBorder is wider than an eighth of the tile, or there are no patches", "run select-contents again"},
     {mask_sum, "mask-sum", kError, kData, "masks are not multiples of 1/2048 whose sum is 1", kBakeAgain},
     {spectrum_form, "spectrum-form", kError, kData, "a spectrum is not even, or is not 0 at frequency 0", kBakeAgain},
     {noise_axes, "noise-axes", kError, kData, "the axes of a noise's colours are not orthonormal", kBakeAgain},
@@ -113,8 +115,6 @@ constexpr IssueKind kKinds[] = {
      "run estimate-psd again"},
     {noise_strength, "noise-strength", kWarning, kData,
      "the variance of a spectrum is far from that of exemplar - structure inside its mask", "run estimate-psd again"},
-    {soft_border_width, "soft-border-width", kError, kData,
-     "softBorder is wider than an eighth of the tile, or there are no patches", "run select-contents again"},
 
     {state_mismatch, "state-mismatch", kError, kData, "the output of the last stage is not the state of the bundle",
      kBakeAgain},

@@ -79,12 +79,12 @@ enum class IssueId : int {
   content_translation = 532,
   content_matrix = 533,
   content_repeated = 534,
+  soft_border_width = 535,
   mask_sum = 541,
   spectrum_form = 542,
   noise_axes = 543,
   noise_tile = 544,
   noise_strength = 545,
-  soft_border_width = 535,
 
   state_mismatch = 601,
   chain_broken = 602,
