@@ -56,7 +56,7 @@ struct SelectContentsOptions {
                                  .min = 1,
                                  .max = 4096,
                                  .help = "translations of least impact kept for the choice",
-                                 .auto_help = "60, or count - 1 with --choice impact"});
+                                 .auto_help = "120, or count - 1 with --choice impact"});
     visit(self.separation_px, Field{.name = "separation",
                                     .unit = "px",
                                     .min = 1,

@@ -5,7 +5,7 @@
 #include "libbake/content/pair_impact.h"
 #include "libbake/content/refined_search.h"
 #include "libbake/content/saliency.h"
-#include "libbake/content/select_contents.h"
+#include "libbake/content/turned_search.h"
 #include "tests/libbake/content/content_twin.h"
 
 namespace texbake {
@@ -20,7 +20,7 @@ struct Tile {
         distances(class_distances(twin::random_colors(kClassCount, 1))),
         patches(twin::random_patches(side, side, kPatchCount, 1)),
         borders(patch_borders(patches, kPatchCount)),
-        request{60, side / 16} {}
+        request{120, side / 16} {}
 
   Image<uint8_t> classes;
   ClassDistances distances;
@@ -144,14 +144,34 @@ BENCHMARK(BM_ContentSearchRefined)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 
+// Contents are turned about texel (0, 0): the work is the same.
+Partition partition_of(const Tile& tile) { return twin::partition(tile.patches.clone(), kPatchCount); }
+
+// What a whole stage with rotations and scales searches: 8 directions at 3 sizes.
+void BM_ContentSearchTurned(benchmark::State& state) {
+  const Tile tile(static_cast<int>(state.range(0)));
+  const Partition patches = partition_of(tile);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        search_contents_turned(tile.classes, tile.distances, patches, make_turns(8, 3, 0.5f), tile.request));
+}
+BENCHMARK(BM_ContentSearchTurned)
+    ->Arg(512)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
 void BM_PairImpact(benchmark::State& state) {
   const Tile tile(1024);
+  const Partition patches = partition_of(tile);
   std::vector<std::vector<V2i>> translations(kPatchCount);
   Random random(1);
   for (auto& of_patch : translations)
     for (int i = 0; i < 5; ++i)
       of_patch.emplace_back(static_cast<int>(random.below(1024)), static_cast<int>(random.below(1024)));
-  for (auto _ : state) benchmark::DoNotOptimize(pair_impact(tile.classes, tile.distances, tile.patches, translations));
+  const ContentTable table = twin::table(translations);
+  for (auto _ : state) benchmark::DoNotOptimize(pair_impact(tile.classes, tile.distances, patches, table));
 }
 BENCHMARK(BM_PairImpact)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 

@@ -33,7 +33,8 @@ struct Fixture {
         idx(x, y) = static_cast<uint32_t>(3 * row + column);
       }
     patches.partition.idx = std::move(idx);
-    patches.partition.centers.resize(kPatchCount);  // the stage counts patches by their centres
+    for (int i = 0; i < kPatchCount; ++i)
+      patches.partition.centers.emplace_back((2 * (i % 3) + 1) * kSize / 6, (2 * (i / 3) + 1) * kSize / 6);
   }
   PrincipalVariation colors;
   Image<V3f> base;
@@ -124,7 +125,7 @@ TEST(SelectContents, ProgressNeverFallsAndEndsAtOne) {
 
 TEST(SelectContents, ResolvesWhatIsNotGivenFromTheTile) {
   const SelectContentsOptions at_512 = resolve({}, 512, 768);
-  EXPECT_EQ(at_512.candidates, 60);
+  EXPECT_EQ(at_512.candidates, 120);
   EXPECT_EQ(at_512.separation_px, 32);
   EXPECT_EQ(at_512.search, Search::exact);
   EXPECT_EQ(resolve({}, 2048, 512).search, Search::refined);
@@ -133,6 +134,50 @@ TEST(SelectContents, ResolvesWhatIsNotGivenFromTheTile) {
   EXPECT_EQ(resolve(impact, 512, 512).candidates, 4);
   impact.candidates = 3;
   EXPECT_THROW(resolve(impact, 512, 512), Error);
+}
+
+TEST(SelectContents, TurnsAndShrinksContentsWhenAsked) {
+  const Fixture f;
+  SelectContentsOptions options;
+  options.rotations = 4;
+  options.scales = 2;
+  const ContentSelection selection = select(f, options);
+  EXPECT_EQ(selection.effective.search, Search::refined);
+  int turned = 0, smaller = 0;
+  for (int patch = 0; patch < kPatchCount; ++patch) {
+    EXPECT_EQ(selection.table.at(patch, 0), Content{});
+    for (const Content& content : selection.table.of(patch)) {
+      Content made = make_content(content.translation, content.rotation_eighths, content.scale);
+      made.impact = content.impact;
+      EXPECT_EQ(content, made);
+      turned += content.rotation_eighths != 0;
+      smaller += content.scale < 1.0f;
+      EXPECT_EQ(content.rotation_eighths % 2, 0);
+    }
+  }
+  EXPECT_GT(turned, 0);
+  EXPECT_GT(smaller, 0);
+}
+
+TEST(SelectContents, DeformsByDefaultOnlyWhereTheCallerSaysSo) {
+  EXPECT_EQ(resolve({}, 512, 512).rotations, 1);
+  EXPECT_EQ(resolve({}, 512, 512).scales, 1);
+  const SelectContentsOptions deformed = resolve(deforming({}), 512, 512);
+  EXPECT_EQ(deformed.rotations, 8);
+  EXPECT_EQ(deformed.scales, 3);
+  EXPECT_EQ(deformed.search, Search::refined);
+  SelectContentsOptions asked;
+  asked.rotations = 1;
+  EXPECT_EQ(deforming(asked).rotations, 1);
+}
+
+TEST(SelectContents, RefusesRotationsThatDoNotDivideATurnAndExactTurns) {
+  SelectContentsOptions options;
+  options.rotations = 3;
+  EXPECT_THROW(resolve(options, 512, 512), Error);
+  options.rotations = 2;
+  options.search = Search::exact;
+  EXPECT_THROW(resolve(options, 512, 512), Error);
 }
 
 }  // namespace
