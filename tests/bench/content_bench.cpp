@@ -144,8 +144,20 @@ BENCHMARK(BM_ContentSearchRefined)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 
-// Contents are turned about texel (0, 0): the work is the same.
-Partition partition_of(const Tile& tile) { return twin::partition(tile.patches.clone(), kPatchCount); }
+// With the centres of the patches, about which contents are turned.
+Partition partition_of(const Tile& tile) {
+  Partition patches = twin::partition(tile.patches.clone(), kPatchCount);
+  std::vector<V2i> first(kPatchCount, V2i(-1, -1)), sums(kPatchCount, V2i(0, 0));
+  std::vector<int> counts(kPatchCount, 0);
+  for (int y = 0; y < tile.patches.height(); ++y)
+    for (int x = 0; x < tile.patches.width(); ++x) {
+      const uint32_t patch = tile.patches(x, y);
+      if (counts[patch]++ == 0) first[patch] = {x, y};
+      sums[patch] += shortest(V2i(x, y) - first[patch], patches.size());
+    }
+  for (size_t i = 0; i < kPatchCount; ++i) patches.centers[i] = wrap(first[i] + sums[i] / counts[i], patches.size());
+  return patches;
+}
 
 // What a whole stage with rotations and scales searches: 8 directions at 3 sizes.
 void BM_ContentSearchTurned(benchmark::State& state) {

@@ -124,7 +124,7 @@ TEST(TurnedSearch, FindsAPlantedCopyThatIsLarger) {
       }
     }
   tile.classes = std::move(classes);
-  const Turns turns = make_turns(4, 3, 0.5f);
+  const Turns turns = make_turns(4, 2, 0.5f);
   const Candidate best = tile.search(turns, {5, 18}).candidates[12][0];
   EXPECT_EQ(best.error_sum, 0u);
   EXPECT_EQ(turns[static_cast<size_t>(best.turn)], make_content({0, 0}, 2, 0.5f));
