@@ -106,6 +106,13 @@ void check_show(const Request& request) {
     throw Error(ErrorKind::usage, asked + ": a view shows whole texels; expected no --view plane or --supersample");
 }
 
+void check_deformation(const Request& request) {
+  if (deformation_of(request.deform).is_identity()) return;
+  if (request.view.view == View::plane || request.view.supersample > 1)
+    throw Error(ErrorKind::usage,
+                "--rotate, --stretch, --turbulence: a flat window is deformed; expected no --view plane or --supersample");
+}
+
 void check_supersample(const Request& request) {
   if (request.view.supersample > 1 && request.gl.backend == Backend::gl)
     throw Error(ErrorKind::usage, "--supersample: the processor's alone; use --backend cpu");
@@ -127,7 +134,8 @@ void stream(const std::string& path, const PictureFormat& format, const DrawRows
 
 /// What draws a picture from the planes, whose levels are added where it needs them.
 DrawRows flat_drawer(const Request& request, EvaluatorPlanes& planes, const Plane& plane, PixelSize size) {
-  const Window window = window_of(request.window, size, planes.size);
+  Window window = window_of(request.window, size, planes.size);
+  window.deformation = deformation_of(request.deform);
   const int samples = request.view.supersample;
   if (samples > 1)
     return [&, window, samples](int begin, int end) {
@@ -178,6 +186,7 @@ Outcome run(const Request& request, Console& console) {
   check_view(request.view, request.window);
   check_show(request);
   check_supersample(request);
+  check_deformation(request);
   check_picture_name(path, request.options.bits);
   parse_size("size", request.options.size);
   check_file_target(path);
