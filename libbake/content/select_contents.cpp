@@ -23,6 +23,10 @@ constexpr int kBalancedCandidates = 120;
 // Candidates closer than this show nearly the same from afar. On four photographs 1/16 of the side gave a third to
 // two thirds of the repetition from afar that 1/32 did, at seams that are hardly more visible.
 constexpr int kSeparationDivisor = 16;
+// Classes hardly see directions: among eight rotations of bark more than half of the contents lay across its grain.
+// Half a turn keeps the directions of any structure.
+constexpr int kStructureRotations = 2;
+constexpr int kStructureScales = 3;
 
 SearchResult search(const ContentClasses& classes, const ClassDistances& distances, const Partition& patches,
                     const Turns& turns, const SelectContentsOptions& options, const Progress& progress) {
@@ -113,8 +117,8 @@ SelectContentsOptions resolve(const SelectContentsOptions& options, int width, i
 
 SelectContentsOptions deforming(const SelectContentsOptions& options) {
   SelectContentsOptions deforming = options;
-  if (!options.rotations) deforming.rotations = 8;
-  if (!options.scales) deforming.scales = 3;
+  if (!options.rotations) deforming.rotations = kStructureRotations;
+  if (!options.scales) deforming.scales = kStructureScales;
   return deforming;
 }
 

@@ -72,7 +72,7 @@ struct SelectContentsOptions {
                                 .min = 1,
                                 .max = 8,
                                 .help = "contents may be turned: 1, 2, 4 or 8 directions",
-                                .auto_help = "1, but 8 on a structure"});
+                                .auto_help = "1, but 2 on a structure"});
     visit(self.scales, Field{.name = "scales",
                              .unit = "sizes",
                              .min = 1,
