@@ -17,8 +17,8 @@
 namespace texbake {
 namespace {
 
-// More candidates balance better: on four photographs 120 repeat a quarter to a half less from afar than 60, at 3 to 6
-// % more impact.
+// More candidates balance better: on four photographs 120 were predicted to repeat 6, 20, 23 and 53 % less from afar
+// than 60, at 3 to 6 % more impact.
 constexpr int kBalancedCandidates = 120;
 // Candidates closer than this show nearly the same from afar. On four photographs 1/16 of the side gave a third to
 // two thirds of the repetition from afar that 1/32 did, at seams that are hardly more visible.
