@@ -36,11 +36,13 @@ Command decompose_command();
 Command estimate_psd_command();
 Command export_command();
 Command fragment_command();
+Command heightmap_command();
 Command info_command();
 Command patch_command();
 Command render_command();
 Command report_command();
 Command select_contents_command();
+Command stack_command();
 Command verify_command();
 
 }  // namespace texbake

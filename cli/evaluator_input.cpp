@@ -26,8 +26,7 @@ NoiseInput noise_input(const Scale& scale, const NoiseModel& model) {
 
 }  // namespace
 
-EvaluatorInput evaluator_input(const Bundle& bundle) {
-  const Scale& scale = bundle.scales.back();
+EvaluatorInput evaluator_input(const Scale& scale) {
   EvaluatorInput input;
   input.base = scale.base();
   input.patches = pointer_to(scale.patches);
@@ -37,9 +36,23 @@ EvaluatorInput evaluator_input(const Bundle& bundle) {
   input.soft_border_px = scale.soft_border_px;
   for (const Map& map : scale.maps)
     input.maps.push_back({map.name, kind_of(map), {map.planes, map.planes + map.channels}});
-  if (bundle.noise) input.noise = noise_input(scale, *bundle.noise);
   if (scale.height) input.maps.push_back({"height", MapKind::height, {*scale.height}});
   return input;
+}
+
+EvaluatorInput evaluator_input(const Bundle& bundle) {
+  EvaluatorInput input = evaluator_input(bundle.scales.back());
+  if (bundle.noise) input.noise = noise_input(bundle.scales.back(), *bundle.noise);
+  return input;
+}
+
+std::vector<StackScale> stack_input(const Bundle& bundle) {
+  std::vector<StackScale> scales;
+  for (const Scale& scale : bundle.scales) {
+    scales.push_back({evaluator_input(scale), pointer_to(scale.transfer)});
+    scales.back().input.base = scale.exemplar;
+  }
+  return scales;
 }
 
 }  // namespace texbake

@@ -2,12 +2,18 @@
 #pragma once
 
 #include "formats/bundle.h"
-#include "libbake/eval/prepare.h"
+#include "libbake/eval/stack_planes.h"
 
 namespace texbake {
 
 /// What the evaluator reads of the finest scale of `bundle`: views into it, which must not outlive it. Its height map,
 /// where there is one, is the map "height". A structure without spectra is drawn alone.
 EvaluatorInput evaluator_input(const Bundle& bundle);
+
+/// The same of any scale, without noise.
+EvaluatorInput evaluator_input(const Scale& scale);
+
+/// The same of all scales, coarse to fine. A stack draws exemplars: a scale of structure and noise as it was whole.
+std::vector<StackScale> stack_input(const Bundle& bundle);
 
 }  // namespace texbake

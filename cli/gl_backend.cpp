@@ -4,6 +4,7 @@
 
 #ifdef TEXBAKE_WITH_GL
 #include "libbake/gl/gl_rows.h"
+#include "libbake/gl/stack_parity.h"
 #endif
 
 namespace texbake {
@@ -23,17 +24,33 @@ struct Drawer {
       : context(context_options(GlLanguage::core, device)), renderer(context, planes, fragment_shader) {}
 };
 
-}  // namespace
-
-std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
-                                      const std::optional<int>& device, const ParityOptions& options) {
+template <class Check>
+std::vector<LanguageParity> in_languages(GlLanguage language, const std::optional<int>& device, const Check& check) {
   std::vector<LanguageParity> found;
   for (const GlLanguage one : {GlLanguage::core, GlLanguage::es}) {
     if (language != one && language != GlLanguage::both) continue;
     const GlContext context(context_options(one, device));
-    found.push_back({one, check_parity(planes, context, options), check_perspective_parity(planes, context)});
+    found.push_back(check(one, context));
   }
   return found;
+}
+
+}  // namespace
+
+std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
+                                      const std::optional<int>& device, const ParityOptions& options) {
+  return in_languages(language, device,
+                      [&](GlLanguage one, const GlContext& context) -> LanguageParity {
+                        return {one, check_parity(planes, context, options), check_perspective_parity(planes, context)};
+                      });
+}
+
+std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, GlLanguage language,
+                                            const std::optional<int>& device, const ParityOptions& options) {
+  return in_languages(language, device,
+                      [&](GlLanguage one, const GlContext& context) -> LanguageParity {
+                        return {one, check_stack_parity(planes, context, options), {}};
+                      });
 }
 
 DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
@@ -65,6 +82,11 @@ namespace {
 
 std::vector<LanguageParity> gl_parity(const EvaluatorPlanes&, GlLanguage, const std::optional<int>&,
                                       const ParityOptions&) {
+  refuse();
+}
+
+std::vector<LanguageParity> gl_stack_parity(const StackPlanes&, GlLanguage, const std::optional<int>&,
+                                            const ParityOptions&) {
   refuse();
 }
 

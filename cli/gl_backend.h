@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libbake/base/options.h"
+#include "libbake/eval/stack_planes.h"
 #include "libbake/gl/parity.h"
 #include "libbake/gl/perspective_parity.h"
 
@@ -61,6 +62,10 @@ struct LanguageParity {
 /// too old, or this texbake was built without it. The levels of `planes` were added.
 std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
                                       const std::optional<int>& device, const ParityOptions& options);
+
+/// The same for all scales of a stack together.
+std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, GlLanguage language,
+                                            const std::optional<int>& device, const ParityOptions& options);
 
 /// Draws rows row_begin ≤ j < row_end of a window.
 using DrawRows = std::function<Image<V3f>(int row_begin, int row_end)>;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "formats/json_text.h"
+#include "formats/transfer.h"
 
 namespace texbake {
 namespace {
@@ -109,6 +110,7 @@ Json scale_json(const Scale& scale, const NoiseModel* noise) {
   Json json = {{"name", scale.name}, {"width", scale.width()}, {"height", scale.height_px()}};
   if (scale.tile_from_source)
     json["tileFromSource"] = Json::array({scale.tile_from_source->x, scale.tile_from_source->y});
+  if (scale.transfer) json["transfer"] = transfer_json(*scale.transfer);
   json["fields"] = fields_json(scale, noise);
   json["palette"] = palette_json(scale);
   return json;
@@ -117,6 +119,8 @@ Json scale_json(const Scale& scale, const NoiseModel* noise) {
 std::string scale_text(const Json& scale) {
   std::string text = fmt::format("scale {}: {} x {} texels\n", scale["name"].get<std::string>(),
                                  scale["width"].get<int>(), scale["height"].get<int>());
+  if (scale.contains("transfer"))
+    text += fmt::format("  takes colours from the scale before: {}\n", compact_json(scale["transfer"]));
   for (const Json& field : scale["fields"])
     text +=
         fmt::format("  {:<16} {:<32} {:<22} {}\n", field["name"].get<std::string>(), field["shape"].get<std::string>(),
@@ -124,8 +128,13 @@ std::string scale_text(const Json& scale) {
   return text;
 }
 
+/// " of scale NAME" for a source or a stage of one scale among several.
+std::string of_scale(const Json& json) {
+  return json.contains("scale") ? fmt::format(" of scale {}", json["scale"].get<std::string>()) : "";
+}
+
 std::string stage_text(const Json& stage) {
-  std::string text = fmt::format("stage {}\n", stage["verb"].get<std::string>());
+  std::string text = fmt::format("stage {}{}\n", stage["verb"].get<std::string>(), of_scale(stage));
   for (const auto& [name, value] : stage["parameters"].items()) text += fmt::format("  {} = {}\n", name, value.dump());
   for (const auto& [name, value] : stage["figures"].items()) text += fmt::format("  {}: {}\n", name, value.dump());
   return text;
@@ -139,16 +148,23 @@ Json info_json(const Bundle& bundle) {
     const bool has_noise = bundle.noise && &scale == &bundle.scales.back();
     info["scales"].push_back(scale_json(scale, has_noise ? &*bundle.noise : nullptr));
   }
+  const auto add = [&](const char* list, Json json, const std::string& scale) {
+    if (!scale.empty()) json["scale"] = scale;
+    info[list].push_back(std::move(json));
+  };
   info["sources"] = Json::array();
   for (const Source& source : bundle.sources)
-    info["sources"].push_back(
-        {{"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}});
+    add("sources",
+        {{"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}},
+        source.scale);
   info["stages"] = Json::array();
   for (const Stage& stage : bundle.stages)
-    info["stages"].push_back({{"verb", stage.verb},
-                              {"version", stage.version},
-                              {"parameters", stage.parameters},
-                              {"figures", stage.figures}});
+    add("stages",
+        {{"verb", stage.verb},
+         {"version", stage.version},
+         {"parameters", stage.parameters},
+         {"figures", stage.figures}},
+        stage.scale);
   return info;
 }
 
@@ -157,7 +173,7 @@ std::string info_text(const Json& info, const std::string& path) {
                                  info["semantics"].get<int>());
   for (const Json& scale : info["scales"]) text += scale_text(scale);
   for (const Json& source : info["sources"])
-    text += fmt::format("source {}: {}, {} bytes, SHA-256 {}\n", source["role"].get<std::string>(),
+    text += fmt::format("source {}{}: {}, {} bytes, SHA-256 {}\n", source["role"].get<std::string>(), of_scale(source),
                         source["name"].get<std::string>(), source["sizeBytes"].get<uint64_t>(),
                         source["sha256"].get<std::string>());
   for (const Json& stage : info["stages"]) text += stage_text(stage);

@@ -23,9 +23,10 @@ namespace {
 constexpr const char* kVersion = TEXBAKE_VERSION;
 
 std::vector<Command> all_commands() {
-  return {bake_command(),     convert_command(), decompose_command(),       estimate_psd_command(),
-          fragment_command(), patch_command(),   select_contents_command(), render_command(),
-          verify_command(),   report_command(),  info_command(),            export_command()};
+  return {bake_command(),     convert_command(),   decompose_command(),       estimate_psd_command(),
+          fragment_command(), patch_command(),     select_contents_command(), heightmap_command(),
+          stack_command(),    render_command(),    verify_command(),          report_command(),
+          info_command(),     export_command()};
 }
 
 /// How a run ended, for stdout and stderr.

@@ -7,10 +7,12 @@
 #include "cli/evaluator_input.h"
 #include "cli/gl_backend.h"
 #include "cli/option_flags.h"
+#include "cli/relief_options.h"
 #include "cli/view_options.h"
 #include "formats/bundle_io.h"
 #include "formats/image_writer.h"
 #include "libbake/eval/levels.h"
+#include "libbake/eval/relief_window.h"
 #include "libbake/eval/show.h"
 #include "libbake/eval/supersample.h"
 
@@ -71,6 +73,8 @@ struct Request {
   DeformOptions deform;
   WindowOptions window;
   ViewOptions view;
+  ReliefOptions relief;
+  SlantOptions slant;
   GlOptions gl;
 };
 
@@ -118,6 +122,17 @@ void check_supersample(const Request& request) {
     throw Error(ErrorKind::usage, "--supersample: the processor's alone; use --backend cpu");
 }
 
+void check_relief(const Request& request) {
+  parse_direction("light", request.slant.light);
+  parse_direction("view-direction", request.slant.view);
+  if (request.relief.depth_px == 0) return;
+  if (request.map || request.options.show != Show::color)
+    throw Error(ErrorKind::usage, "--relief: the texture is lit; expected no --map and no --show beside it");
+  if (request.gl.backend == Backend::gl)
+    throw Error(ErrorKind::usage,
+                "--relief: expected --backend cpu, found gl; engines draw relief before the exact path");
+}
+
 /// Draws by strips of rows, so that a window of any size takes the same memory.
 void stream(const std::string& path, const PictureFormat& format, const DrawRows& draw_rows, Console& console) {
   const Progress progress = console.step("render");
@@ -160,9 +175,30 @@ DrawRows plane_drawer(const Request& request, EvaluatorPlanes& planes, const Pla
   return [&, view](int begin, int end) { return render_perspective_rows(planes, plane, view, begin, end); };
 }
 
+bool has_relief(const Request& request) { return request.relief.depth_px > 0; }
+
+/// All scales in colour, and the relief of the coarsest.
+void render_stack(const Request& request, const Bundle& bundle, const std::string& path, Console& console) {
+  const StackPlanes planes = prepare_stack(stack_input(bundle));
+  const Window window = window_of(request.window, parse_size("size", request.options.size), planes.sizes.back());
+  const PictureFormat format{.width = window.width, .height = window.height, .samples = request.options.bits};
+  if (!has_relief(request))
+    return stream(
+        path, format, [&](int begin, int end) { return render_stack_rows(planes, window, begin, end); }, console);
+  const EvaluatorPlanes coarsest = prepare(evaluator_input(bundle.scales.front()));
+  const Relief relief(coarsest, request.relief, parse_direction("light", request.slant.light));
+  const Direction viewer = parse_direction("view-direction", request.slant.view);
+  stream(
+      path, format, [&](int begin, int end) { return render_relief_rows(planes, relief, viewer, window, begin, end); },
+      console);
+}
+
 void render(const Request& request, const std::string& path, Console& console) {
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
+  const bool whole = !request.map && request.options.show == Show::color && request.gl.backend == Backend::cpu &&
+                     request.view.view == View::flat && request.view.supersample == 1;
+  if ((bundle.scales.size() > 1 || has_relief(request)) && whole) return render_stack(request, bundle, path, console);
   EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   const Plane& plane = chosen_plane(planes, request.map);
   const PixelSize size = parse_size("size", request.options.size);
@@ -184,9 +220,11 @@ Outcome run(const Request& request, Console& console) {
   check_options(request.gl);
   check_options(request.view);
   check_view(request.view, request.window);
-  check_show(request);
   check_supersample(request);
   check_deformation(request);
+  check_options(request.relief);
+  check_show(request);
+  check_relief(request);
   check_picture_name(path, request.options.bits);
   parse_size("size", request.options.size);
   check_file_target(path);
@@ -204,6 +242,8 @@ Action declare(CLI::App& app) {
   add_flags(app, request->view, "View");
   add_flags(app, request->gl, "Options");
   add_flags(app, request->deform, "Deformation");
+  add_flags(app, request->relief, "Relief");
+  add_flags(app, request->slant, "Relief");
   add_flag(app,
            {.name = "map",
             .accepted = "NAME",
@@ -223,6 +263,7 @@ Command render_command() {
           "  texbake render rock.texbundle -o normal.png --map normal\n"
           "  texbake render moss.texbundle -o moss.png --rotate 30 --stretch 2,1 --turbulence 12\n"
           "  texbake render leaves.texbundle -o floor.png --size 1200x800 --view plane --camera-height 600 --pitch 15\n"
+          "  texbake render rock.texbundle -o rock.png --relief 24 --view-direction 1,0,1 --light -1,-1,1\n"
           "  texbake render leaves.texbundle -o leaves.exr --bits float --backend gl",
           declare};
 }

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cli/provenance.h"
+#include "formats/history.h"
 #include "formats/json_text.h"
-#include "formats/manifest.h"
 
 namespace texbake {
 
@@ -16,7 +16,6 @@ RunningStage::RunningStage(Bundle& bundle, std::string verb, Console& console)
   if (!dropped.empty())
     console_.warning(
         fmt::format("{} runs again: dropped what was made from its last result ({})", verb_, fmt::join(dropped, ", ")));
-  input_ = state_hash(bundle_);
   progress_ = console_.step(verb_);
 }
 
@@ -28,7 +27,7 @@ void RunningStage::finish(Json parameters, Json figures) {
   stage.verb = verb_;
   stage.parameters = std::move(parameters);
   stage.figures = std::move(figures);
-  record_stage(bundle_, std::move(stage), input_);
+  record_stage(bundle_, std::move(stage));
 }
 
 }  // namespace texbake

@@ -21,7 +21,6 @@ class RunningStage {
   Bundle& bundle_;
   std::string verb_;
   Console& console_;
-  std::string input_;
   Progress progress_;
 };
 

@@ -99,8 +99,14 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
   add_levels(planes);
   ParityOptions options;
   options.windows = request.options.windows;
-  append(outcome,
-         parity_outcome(gl_parity(planes, request.options.gl_language, request.gl.gl_device, options), planes.size));
+  const GlLanguage language = request.options.gl_language;
+  if (bundle.scales.size() > 1) {
+    const StackPlanes stack = prepare_stack(stack_input(bundle));
+    append(outcome,
+           parity_outcome(gl_stack_parity(stack, language, request.gl.gl_device, options), stack.sizes.back()));
+  } else {
+    append(outcome, parity_outcome(gl_parity(planes, language, request.gl.gl_device, options), planes.size));
+  }
 }
 
 Outcome run(const Request& request, Console& console) {

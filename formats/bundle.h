@@ -10,6 +10,7 @@
 #include "libbake/base/image.h"
 #include "libbake/color/palette.h"
 #include "libbake/content/content.h"
+#include "libbake/eval/transfer.h"
 #include "libbake/noise/estimate_psd.h"
 #include "libbake/segment/fragment.h"
 #include "libbake/segment/patch.h"
@@ -46,6 +47,7 @@ struct Scale {
   int soft_border_px = 0;  ///< over how many texels on either side of their borders patches blend; 0: hard
   std::optional<Image<float>> height;  ///< 0 … 1
   std::vector<Map> maps;
+  std::optional<ScaleTransfer> transfer;  ///< from the scale before; of every scale but the coarsest
   std::optional<V2i> tile_from_source;  ///< offset of the tile in the source picture, when it is a crop
 
   int width() const { return exemplar.width(); }
@@ -54,12 +56,15 @@ struct Scale {
   const Image<V3f>& base() const { return structure ? *structure : exemplar; }
 };
 
+inline constexpr const char* kClicksRole = "clicks";  ///< of the heights that heightmap was given
+
 /// A file that went into the bundle.
 struct Source {
-  std::string role;  ///< "color" or the name of a map
+  std::string role;  ///< "color", the name of a map, or kClicksRole
   std::string name;  ///< base name, no folder
   std::string sha256;
   uint64_t size_bytes = 0;
+  std::string scale = {};  ///< the scale that it went into; "" in a bundle of one scale
 };
 
 /// What one verb did.
@@ -68,8 +73,9 @@ struct Stage {
   int version = 1;
   Json parameters = {};    ///< every effective parameter, automatic values resolved; keys are long flags, in kebab-case
   Json figures = {};       ///< what was measured; never times; keys in camelCase
-  std::string input = {};  ///< state_hash of the bundle that the stage read
-  std::string output = {};  ///< state_hash of the bundle with the stage's result
+  std::string input = {};   ///< hash of what the stage read: formats/history.h
+  std::string output = {};  ///< hash of what it wrote, as far as no later stage has replaced it
+  std::string scale = {};   ///< the scale that it worked on; "" in a bundle of one scale, and for all scales
 };
 
 struct Bundle {

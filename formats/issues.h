@@ -86,6 +86,10 @@ enum class IssueId : int {
   noise_tile = 544,
   noise_strength = 545,
 
+  transfer_missing = 551,
+  transfer_list = 552,
+  transfer_fragments = 553,
+
   state_mismatch = 601,
   chain_broken = 602,
   stage_missing = 603,

@@ -9,6 +9,7 @@
 #include "formats/noise_manifest.h"
 #include "formats/plane_refs.h"
 #include "formats/sha256.h"
+#include "formats/transfer.h"
 
 namespace texbake {
 namespace {
@@ -81,22 +82,28 @@ Json scale_json(const Scale& scale, const PlaneRefs& refs) {
   if (scale.patches) json["patches"] = patches_json(scale.patches->partition);
   if (scale.contents) json["contents"] = contents_json(*scale.contents);
   if (scale.soft_border_px > 0) json["softBorder"] = scale.soft_border_px;
+  if (scale.transfer) json["transfer"] = transfer_json(*scale.transfer);
   return json;
 }
 
 Json object_or_empty(const Json& json) { return json.is_null() ? Json::object() : json; }
 
 Json stage_json(const Stage& stage) {
-  return {{"verb", stage.verb},
-          {"version", stage.version},
-          {"parameters", object_or_empty(stage.parameters)},
-          {"figures", object_or_empty(stage.figures)},
-          {"input", stage.input},
-          {"output", stage.output}};
+  Json json = {{"verb", stage.verb},
+               {"version", stage.version},
+               {"parameters", object_or_empty(stage.parameters)},
+               {"figures", object_or_empty(stage.figures)},
+               {"input", stage.input},
+               {"output", stage.output}};
+  if (!stage.scale.empty()) json["scale"] = stage.scale;
+  return json;
 }
 
 Json source_json(const Source& source) {
-  return {{"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}};
+  Json json = {
+      {"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}};
+  if (!source.scale.empty()) json["scale"] = source.scale;
+  return json;
 }
 
 }  // namespace
@@ -127,24 +134,6 @@ StateJson state_json(const Bundle& bundle, const BundleRefs& refs) {
   for (size_t i = 0; i < refs.scales.size(); ++i) state.scales.push_back(scale_json(bundle.scales[i], refs.scales[i]));
   if (bundle.noise) state.noise = noise_json(*bundle.noise, refs.noise);
   return state;
-}
-
-std::string state_hash(const StateJson& state, const std::vector<Source>& sources) {
-  const std::string noise = state.noise.is_null() ? "" : compact_json(state.noise);
-  if (!state.scales.empty()) return sha256(compact_json(state.scales) + noise);
-  std::string lines;
-  for (const Source& source : sources) lines += fmt::format("{} {}\n", source.role, source.sha256);
-  return sha256(lines);
-}
-
-std::string state_hash(const Bundle& bundle) {
-  return state_hash(state_json(bundle, plane_refs(bundle)), bundle.sources);
-}
-
-void record_stage(Bundle& bundle, Stage stage, const std::string& input) {
-  stage.input = input;
-  stage.output = state_hash(bundle);
-  bundle.stages.push_back(std::move(stage));
 }
 
 Json manifest_json(const Bundle& bundle, const StateJson& state) {

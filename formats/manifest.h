@@ -44,20 +44,12 @@ struct BundleRefs {
 /// Hashes every plane and names the files.
 BundleRefs plane_refs(const Bundle& bundle);
 
-/// The members `scales` and `noise` (null without noise): together with the pixels that they name by their hashes, the
-/// state of a bundle.
+/// The members `scales` and `noise` (null without noise).
 struct StateJson {
   Json scales;
   Json noise;
 };
 StateJson state_json(const Bundle& bundle, const BundleRefs& refs);
-/// SHA-256 of `scales`, and of `noise` behind it where there is one, without white space; while there is no scale, of
-/// one line "ROLE SHA256\n" for each source.
-std::string state_hash(const StateJson& state, const std::vector<Source>& sources);
-std::string state_hash(const Bundle& bundle);
-
-/// Appends `stage` with its output; `input` is the state_hash of the bundle that the stage read.
-void record_stage(Bundle& bundle, Stage stage, const std::string& input);
 
 Json manifest_json(const Bundle& bundle, const StateJson& state);
 

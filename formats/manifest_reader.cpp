@@ -9,6 +9,7 @@
 #include "formats/noise_manifest.h"
 #include "formats/plane_refs.h"
 #include "formats/schema.h"
+#include "formats/transfer.h"
 #include "libbake/eval/prepare.h"
 
 namespace texbake {
@@ -26,13 +27,14 @@ class ScaleReader {
   void read() {
     warn_unknown_members(json_, pointer_,
                          {"name", "size", "tiling", "tileFromSource", "planes", "maps", "mean", "palette", "fragments",
-                          "patches", "contents", "softBorder"},
+                          "patches", "contents", "softBorder", "transfer"},
                          log_);
     scale_.name = json_["name"];
     size_ = texel_of(json_["size"]);
     if (json_.contains("tiling") && json_["tiling"] != 1)
       issue(IssueId::tiling_unknown, "/tiling", fmt::format("expected 1, found {}", compact_json(json_["tiling"])));
     if (json_.contains("tileFromSource")) scale_.tile_from_source = texel_of(json_["tileFromSource"]);
+    if (json_.contains("transfer")) scale_.transfer = transfer_of(json_["transfer"]);
     scale_.stores_exemplar = has("exemplar");
     check_companions();
     read_palette();
@@ -218,14 +220,16 @@ void read_scales(const Json& json, Manifest& manifest, IssueLog& log) {
       log.add({IssueId::name_taken, {.pointer = pointer + "/name"}, "expected names that differ, found one twice"});
     ScaleReader(json[i], pointer, manifest, log).read();
   }
+  if (!log.error_below("/scales")) check_transfers(manifest.bundle, manifest.sizes, log);
 }
 
 void read_provenance(const Json& json, Bundle& bundle) {
   for (const Json& source : json["sources"])
-    bundle.sources.push_back({source["role"], source["name"], source["sha256"], source["sizeBytes"].get<uint64_t>()});
+    bundle.sources.push_back({source["role"], source["name"], source["sha256"], source["sizeBytes"].get<uint64_t>(),
+                              source.value("scale", "")});
   for (const Json& stage : json["stages"])
     bundle.stages.push_back({stage["verb"], stage["version"].get<int>(), stage["parameters"], stage["figures"],
-                             stage["input"], stage["output"]});
+                             stage["input"], stage["output"], stage.value("scale", "")});
 }
 
 }  // namespace

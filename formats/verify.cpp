@@ -28,15 +28,6 @@ void warn_stray_files(const fs::path& path, const LoadedBundle& loaded, IssueLog
     if (!known.contains(name)) log.add({IssueId::stray_file, {.file = name}, "expected only files of the manifest"});
 }
 
-void check_scale_order(const Bundle& bundle, const Json& scales, IssueLog& log) {
-  for (size_t i = 1; i < bundle.scales.size(); ++i)
-    if (scales[i]["size"][0] < scales[i - 1]["size"][0])
-      log.add({IssueId::scale_order,
-               {.pointer = fmt::format("/scales/{}/size", i)},
-               fmt::format("expected a width of at least {}, that of the coarser scale before, found {}",
-                           scales[i - 1]["size"][0].get<int>(), scales[i]["size"][0].get<int>())});
-}
-
 void check_scale(const LoadedBundle& loaded, size_t i, IssueLog& log) {
   if (loaded.refs[i].empty()) return;
   const Scale& scale = loaded.bundle.scales[i];
@@ -55,7 +46,6 @@ void verify(const fs::path& path, IssueLog& log) {
   if (loaded.refs.empty()) return;
   for (size_t i = 0; i < loaded.refs.size(); ++i) check_scale(loaded, i, log);
   check_noise(loaded, log);
-  if (!log.error_below("/scales")) check_scale_order(loaded.bundle, loaded.manifest["scales"], log);
   check_state(loaded, log);
   check_stages(loaded.bundle, log);
   check_figures(loaded.bundle, log);

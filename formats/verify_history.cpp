@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "formats/history.h"
 #include "formats/json_text.h"
 
 namespace texbake {
@@ -44,32 +45,38 @@ void check_counts(const Stage& stage, const Scale& scale, const std::string& poi
 
 void check_state(const LoadedBundle& loaded, IssueLog& log) {
   const Bundle& bundle = loaded.bundle;
-  if (bundle.stages.empty() || !loaded.manifest.contains("scales")) return;
-  const StateJson json{loaded.manifest["scales"], loaded.manifest.value("noise", Json())};
-  const std::string state = state_hash(json, bundle.sources);
-  if (bundle.stages.back().output != state)
-    log.add({IssueId::state_mismatch,
-             {.pointer = fmt::format("/stages/{}/output", bundle.stages.size() - 1)},
-             fmt::format("expected {}, found {}", state, bundle.stages.back().output)});
+  if (!loaded.manifest.contains("scales")) return;
+  const Json scales = history_json({loaded.manifest["scales"], loaded.manifest.value("noise", Json())});
+  for (size_t i = 0; i < bundle.stages.size(); ++i) {
+    const Stage& stage = bundle.stages[i];
+    const std::string output = output_hash(scales, bundle.stages, i);
+    if (stage.output != output)
+      log.add({IssueId::state_mismatch,
+               {.pointer = fmt::format("/stages/{}/output", i)},
+               fmt::format("{}: expected {}, found {}", stage.verb, output, stage.output)});
+    const std::string input = input_hash(scales, bundle.sources, bundle.stages, i);
+    if (stage.input != input)
+      log.add({IssueId::chain_broken,
+               {.pointer = fmt::format("/stages/{}/input", i)},
+               fmt::format("{}: expected {}, found {}", stage.verb, input, stage.input)});
+  }
 }
 
 void check_stages(const Bundle& bundle, IssueLog& log) {
-  for (size_t i = 1; i < bundle.stages.size(); ++i)
-    if (bundle.stages[i].input != bundle.stages[i - 1].output)
-      log.add({IssueId::chain_broken,
-               {.pointer = fmt::format("/stages/{}/input", i)},
-               fmt::format("expected {}, found {}", bundle.stages[i - 1].output, bundle.stages[i].input)});
-  if (std::ranges::find(bundle.stages, "stack", &Stage::verb) != bundle.stages.end()) return;
-  const auto need = [&](bool present, const char* verb, const char* what) {
-    if (present && std::ranges::find(bundle.stages, verb, &Stage::verb) == bundle.stages.end())
-      log.add({IssueId::stage_missing,
-               {.pointer = "/stages"},
-               fmt::format("expected a stage {} because there is {}, found none", verb, what)});
-  };
-  need(bundle.noise.has_value(), "estimate-psd", "noises");
   for (const Scale& scale : bundle.scales) {
+    const auto need = [&](bool present, const char* verb, const char* what) {
+      const bool recorded = std::ranges::any_of(bundle.stages, [&](const Stage& stage) {
+        return stage.verb == verb && (stage.scale.empty() || stage.scale == scale.name);
+      });
+      if (present && !recorded)
+        log.add({IssueId::stage_missing,
+                 {.pointer = "/stages"},
+                 fmt::format("expected a stage {} because there are {} in the scale \"{}\", found none", verb, what,
+                             scale.name)});
+    };
     need(scale.colors.has_value(), "convert", "colours");
     need(scale.structure.has_value(), "decompose", "structure");
+    need(bundle.noise && &scale == &bundle.scales.back(), "estimate-psd", "noises");
     need(scale.fragments.has_value(), "fragment", "fragments");
     need(scale.patches.has_value(), "patch", "patches");
     need(scale.contents.has_value(), "select-contents", "contents");
@@ -80,7 +87,9 @@ void check_figures(const Bundle& bundle, IssueLog& log) {
   for (size_t i = 0; i < bundle.stages.size(); ++i) {
     const std::string pointer = fmt::format("/stages/{}/figures", i);
     find_nulls(bundle.stages[i].figures, pointer, log);
-    if (bundle.scales.size() == 1) check_counts(bundle.stages[i], bundle.scales[0], pointer, log);
+    for (const Scale& scale : bundle.scales)
+      if (bundle.scales.size() == 1 || bundle.stages[i].scale == scale.name)
+        check_counts(bundle.stages[i], scale, pointer, log);
   }
 }
 

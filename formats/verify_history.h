@@ -5,9 +5,9 @@
 
 namespace texbake {
 
-/// The state that the last stage left is the state of the bundle.
+/// What each stage wrote is what the bundle holds, and what it read is there still.
 void check_state(const LoadedBundle& loaded, IssueLog& log);
-/// Inputs and outputs of successive stages meet; every plane and table has a stage that makes it.
+/// Every plane and table has a stage that makes it.
 void check_stages(const Bundle& bundle, IssueLog& log);
 /// Recorded figures are numbers, and agree with what can be counted.
 void check_figures(const Bundle& bundle, IssueLog& log);

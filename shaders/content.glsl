@@ -1,7 +1,7 @@
 // Which content shows at a texel of the infinite texture, and from where in the tile it is taken: integers only.
 // Based on: Vanhoey et al. 2013, §5.3; Guingo et al. 2017, §4. Needs hash.glsl and, bound as README.md says,
 //   patch_plane (idx, owner), contents (t.x + 65536 t.y, 65536 lambda, a, b), centers (c.x, c.y), tile_size,
-//   content_count, seed.
+//   content_count, seed; plane_row and first_patch, where the scale in use begins in the planes and tables.
 
 // A texel of the infinite texture: its repetition of the tile, modulo 2^32, and its place there, 0 ... size-1.
 struct Texel {
@@ -42,7 +42,7 @@ int drawn_content(int patch_idx, uvec2 tile) {
 
 // The repetition is taken from the patch's centre, so that its halves across a border of the tile agree.
 Decision decide(Texel at) {
-  uvec4 owned = texelFetch(patch_plane, at.p, 0);
+  uvec4 owned = texelFetch(patch_plane, ivec2(at.p.x, at.p.y + plane_row), 0);
   Decision decision;
   decision.patch_idx = int(owned.x);
   decision.owner = ivec2(int(owned.y & 3u) - 1, int(owned.y >> 2u) - 1);
@@ -64,7 +64,7 @@ Source moved_source(ivec2 p, ivec4 content) {
 // A content that is turned or scaled about the centre of its patch. `offset` is in 1/65536 texel; `>>` rounds down for
 // negative numbers too.
 Source turned_source(ivec2 p, ivec4 content, Decision decision) {
-  ivec4 center = texelFetch(centers, ivec2(decision.patch_idx, 0), 0);
+  ivec4 center = texelFetch(centers, ivec2(decision.patch_idx + first_patch, 0), 0);
   int dx = p.x - decision.owner.x * tile_size.x - center.x;
   int dy = p.y - decision.owner.y * tile_size.y - center.y;
   int offset_x = content.z * dx - content.w * dy;
@@ -86,7 +86,7 @@ Source turned_source(ivec2 p, ivec4 content, Decision decision) {
 }
 
 Source source_of(Texel at, Decision decision) {
-  ivec4 content = texelFetch(contents, ivec2(decision.content, decision.patch_idx), 0);
+  ivec4 content = texelFetch(contents, ivec2(decision.content, decision.patch_idx + first_patch), 0);
   if (content.z == 65536 && content.w == 0) return moved_source(at.p, content);
   return turned_source(at.p, content, decision);
 }

@@ -101,12 +101,14 @@ Footprint footprint_at(Position at) {
 
 // What a plane of the tile shows at a texel of the infinite texture.
 vec4 source_value(sampler2D plane, Source source) {
-  vec4 upper_left = texelFetch(plane, source.texel, 0);
+  int row = source.texel.y + plane_row;
+  vec4 upper_left = texelFetch(plane, ivec2(source.texel.x, row), 0);
   if (source.fraction.x == 0 && source.fraction.y == 0) return upper_left;
   ivec2 opposite = next_texel(source.texel, tile_size);
-  return bilinear(upper_left, texelFetch(plane, ivec2(opposite.x, source.texel.y), 0),
-                  texelFetch(plane, ivec2(source.texel.x, opposite.y), 0), texelFetch(plane, opposite, 0),
-                  source.fraction);
+  int lower_row = opposite.y + plane_row;
+  return bilinear(upper_left, texelFetch(plane, ivec2(opposite.x, row), 0),
+                  texelFetch(plane, ivec2(source.texel.x, lower_row), 0),
+                  texelFetch(plane, ivec2(opposite.x, lower_row), 0), source.fraction);
 }
 
 // x, whose rounding no compiler can undo: it cannot know that lambda <= 1, so that nothing is flipped. Two products with

@@ -35,6 +35,11 @@ std::string reference_core(ShaderLanguage language) {
                        "deform.glsl", "levels.glsl"});
 }
 
+std::string stack_fragment_shader(ShaderLanguage language) {
+  return concatenated({prologue(language), "stack_bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl",
+                       "scales.glsl", "stack.frag"});
+}
+
 std::string reference_vertex_shader(ShaderLanguage language) {
   return concatenated({prologue(language), "reference.vert"});
 }

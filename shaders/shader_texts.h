@@ -24,6 +24,9 @@ std::string perspective_fragment_shader(ShaderLanguage language);
 /// The viewer's: reference_core with viewer.frag, drawn with reference_vertex_shader.
 std::string viewer_fragment_shader(ShaderLanguage language);
 
+/// The text of several scales, with stack.frag, drawn with reference_vertex_shader.
+std::string stack_fragment_shader(ShaderLanguage language);
+
 /// Prologue, bindings and core, for another fragment shader's `main` to follow.
 std::string reference_core(ShaderLanguage language);
 

@@ -33,9 +33,13 @@ inline uvec2 operator+(const uvec2& a, const uvec2& b) { return {a.x + b.x, a.y 
 
 struct ivec4 {
   int x, y, z, w;
+  ivec4() = default;
+  constexpr ivec4(int x_, int y_, int z_, int w_) : x(x_), y(y_), z(z_), w(w_) {}
 };
 struct uvec4 {
   uint x, y, z, w;
+  uvec4() = default;
+  constexpr uvec4(uint x_, uint y_, uint z_, uint w_) : x(x_), y(y_), z(z_), w(w_) {}
 };
 inline uvec4 operator+(const uvec4& a, const uvec4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 inline uvec4 operator*(const uvec4& a, uint b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
@@ -53,6 +57,12 @@ inline vec4 operator+(const vec4& a, const vec4& b) { return {a.x + b.x, a.y + b
 inline vec4 operator-(const vec4& a, const vec4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w}; }
 inline vec4 operator*(const vec4& a, float b) { return {a.x * b, a.y * b, a.z * b, a.w * b}; }
 
+/// Only for what comes before the exact path.
+struct vec2 {
+  float x, y;
+  vec2() = default;
+  constexpr vec2(float x_, float y_) : x(x_), y(y_) {}
+};
 inline float sqrt(float x) { return std::sqrt(x); }
 inline float floor(float x) { return std::floor(x); }
 inline float abs(float x) { return std::fabs(x); }
@@ -88,12 +98,26 @@ struct LevelBlock {
   bool operator==(const LevelBlock&) const = default;
 };
 
+/// The fragment plane of a stack: four 16-bit channels.
+struct FragmentTexel {
+  int16_t center_x = 0;  ///< way to the centre of the texel's fragment, in texels
+  int16_t center_y = 0;
+  int16_t fragment_class = 0;
+  int16_t class_idx = 0;  ///< of the texel
+  bool operator==(const FragmentTexel&) const = default;
+};
+using fragment_sampler2D = Sampler<FragmentTexel>;
+
 template <class T>
 const T& texel_at_index(const Sampler<T>& sampler, const ivec2& p) {
   return sampler.texels[static_cast<size_t>(p.y) * static_cast<size_t>(sampler.width) + static_cast<size_t>(p.x)];
 }
 inline vec4 texelFetch(const sampler2D& sampler, const ivec2& p, int /*level*/) { return texel_at_index(sampler, p); }
 inline ivec4 texelFetch(const isampler2D& sampler, const ivec2& p, int /*level*/) { return texel_at_index(sampler, p); }
+inline ivec4 texelFetch(const fragment_sampler2D& sampler, const ivec2& p, int /*level*/) {
+  const FragmentTexel& texel = texel_at_index(sampler, p);
+  return {texel.center_x, texel.center_y, texel.fragment_class, texel.class_idx};
+}
 inline uvec4 texelFetch(const usampler2D& sampler, const ivec2& p, int /*level*/) {
   const PatchTexel& texel = texel_at_index(sampler, p);
   return {texel.patch_idx, texel.owner, 0, 1};

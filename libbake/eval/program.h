@@ -28,6 +28,27 @@ struct Program {
   uvec2 deform_to_tile{0, 0};
   ivec4 deform_to{0, 0, 0, 0};
   ivec2 turbulence{0, 6};
+  int plane_row = 0;
+  int first_patch = 0;
+
+  // A stack of scales.
+  fragment_sampler2D fragment_plane;
+  sampler2D local_mean;
+  isampler2D scale_table;
+  sampler2D class_table;
+  sampler2D mean_table;
+  int scale_count = 1;
+  uint stack_seed = 0;
+  uvec4 nesting[8] = {};
+  ivec2 nesting_offset[8] = {};
+  int ratio = 1;
+  int first_class = 0;
+  int transfer_bits = 0;
+
+  // Relief.
+  sampler2D height_plane;
+  vec4 relief_range{0, 0, 0, 0};
+  ivec2 relief_steps{1, 0};
 
 #define PRECISE
 #include "shaders/hash.glsl"
@@ -41,6 +62,10 @@ struct Program {
 #include "shaders/deform.glsl"
 //
 #include "shaders/levels.glsl"
+//
+#include "shaders/scales.glsl"
+//
+#include "shaders/relief.glsl"
 #undef PRECISE
 };
 

@@ -46,10 +46,12 @@ struct GlFunctions {
   PFNGLUNIFORM1IPROC Uniform1i = nullptr;
   PFNGLUNIFORM1UIPROC Uniform1ui = nullptr;
   PFNGLUNIFORM2IPROC Uniform2i = nullptr;
+  PFNGLUNIFORM2IVPROC Uniform2iv = nullptr;
   PFNGLUNIFORM2UIPROC Uniform2ui = nullptr;
   PFNGLUNIFORM3FPROC Uniform3f = nullptr;
   PFNGLUNIFORM4FPROC Uniform4f = nullptr;
   PFNGLUNIFORM4IPROC Uniform4i = nullptr;
+  PFNGLUNIFORM4UIVPROC Uniform4uiv = nullptr;
   PFNGLUSEPROGRAMPROC UseProgram = nullptr;
   PFNGLVIEWPORTPROC Viewport = nullptr;
 };
@@ -97,10 +99,12 @@ void for_each_gl_function(GlFunctions& gl, Visitor&& visit) {
   visit(gl.Uniform1i, "glUniform1i");
   visit(gl.Uniform1ui, "glUniform1ui");
   visit(gl.Uniform2i, "glUniform2i");
+  visit(gl.Uniform2iv, "glUniform2iv");
   visit(gl.Uniform2ui, "glUniform2ui");
   visit(gl.Uniform3f, "glUniform3f");
   visit(gl.Uniform4f, "glUniform4f");
   visit(gl.Uniform4i, "glUniform4i");
+  visit(gl.Uniform4uiv, "glUniform4uiv");
   visit(gl.UseProgram, "glUseProgram");
   visit(gl.Viewport, "glViewport");
 }

@@ -36,6 +36,7 @@ struct GlFormat {
 inline constexpr GlFormat kRg16ui{GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT};
 inline constexpr GlFormat kRgba16ui{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT};
 inline constexpr GlFormat kRg32ui{GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT};
+inline constexpr GlFormat kRgba16i{GL_RGBA16I, GL_RGBA_INTEGER, GL_SHORT};
 inline constexpr GlFormat kRgba32i{GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
 inline constexpr GlFormat kRgba32ui{GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
 inline constexpr GlFormat kRgba32f{GL_RGBA32F, GL_RGBA, GL_FLOAT};

@@ -26,28 +26,6 @@ TileOffset telling_origin(Random& random, int side) {
   return {telling_tile(random), random.below(static_cast<uint32_t>(side) * 256)};
 }
 
-void count_contents(const Frame& frame, int content_count, std::vector<bool>& seen) {
-  for (const PixelDecision& decision : frame.decisions) {
-    const size_t at = size_t{decision.patch_idx} * static_cast<size_t>(content_count) + decision.content;
-    if (at < seen.size()) seen[at] = true;
-  }
-}
-
-void add(ParityReport& report, const Window& window, const Plane& plane, const Frame& expected, const Frame& found) {
-  const ValueComparison values = compare_values(color_values(expected.values), color_values(found.values), 0);
-  const DecisionComparison decisions = compare_decisions(expected.decisions, found.decisions);
-  report.points += values.pixels;
-  report.differing_points += std::max(values.differing_pixels, uint64_t{values.differing_bits > 0});
-  report.differing_bits += values.differing_bits;
-  report.nan_points += values.nan_pixels;
-  report.differing_decisions += decisions.differing_pixels;
-  if (values.worst && (!report.worst || values.worst->difference > report.worst->pixel.difference))
-    report.worst = WorstWindow{window, plane.name, *values.worst};
-  if (decisions.differing_pixels == 0 || report.first_decision) return;
-  const V2i at = decisions.first;
-  report.first_decision = DifferingDecision{window, at, expected.decisions(at.x, at.y), found.decisions(at.x, at.y)};
-}
-
 }  // namespace
 
 std::vector<Window> parity_windows(V2i tile_size, const ParityOptions& options) {
@@ -70,6 +48,29 @@ std::vector<Window> parity_windows(V2i tile_size, const ParityOptions& options) 
   return windows;
 }
 
+void count_contents(const Frame& frame, int content_count, std::vector<bool>& seen) {
+  for (const PixelDecision& decision : frame.decisions) {
+    const size_t at = size_t{decision.patch_idx} * static_cast<size_t>(content_count) + decision.content;
+    if (at < seen.size()) seen[at] = true;
+  }
+}
+
+void add_frames(ParityReport& report, const Window& window, const std::string& plane, const Frame& expected,
+                const Frame& found) {
+  const ValueComparison values = compare_values(color_values(expected.values), color_values(found.values), 0);
+  const DecisionComparison decisions = compare_decisions(expected.decisions, found.decisions);
+  report.points += values.pixels;
+  report.differing_points += std::max(values.differing_pixels, uint64_t{values.differing_bits > 0});
+  report.differing_bits += values.differing_bits;
+  report.nan_points += values.nan_pixels;
+  report.differing_decisions += decisions.differing_pixels;
+  if (values.worst && (!report.worst || values.worst->difference > report.worst->pixel.difference))
+    report.worst = WorstWindow{window, plane, *values.worst};
+  if (decisions.differing_pixels == 0 || report.first_decision) return;
+  const V2i at = decisions.first;
+  report.first_decision = DifferingDecision{window, at, expected.decisions(at.x, at.y), found.decisions(at.x, at.y)};
+}
+
 ParityReport check_parity(const EvaluatorPlanes& planes, const GlContext& context, const ParityOptions& options) {
   GlRenderer renderer(context, planes);
   ParityReport report;
@@ -80,7 +81,7 @@ ParityReport check_parity(const EvaluatorPlanes& planes, const GlContext& contex
   const auto check = [&](const Window& window, const Plane& plane) {
     const Frame expected = reference_frame(planes, window, plane);
     count_contents(expected, planes.content_count, seen);
-    add(report, window, plane, expected, renderer.draw(window, plane));
+    add_frames(report, window, plane.name, expected, renderer.draw(window, plane));
   };
   ParityOptions longest = options;
   longest.windows = std::max(options.windows, options.most_windows);

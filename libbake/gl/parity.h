@@ -48,6 +48,13 @@ struct ParityReport {
   bool equal() const { return differing_decisions == 0 && differing_points == 0; }
 };
 
+/// Marks the contents that a frame shows: patch · content_count + content.
+void count_contents(const Frame& frame, int content_count, std::vector<bool>& seen);
+
+/// Adds what two frames of one window show, the processor's and the driver's.
+void add_frames(ParityReport& report, const Window& window, const std::string& plane, const Frame& expected,
+                const Frame& found);
+
 /// Base and every map of `planes`, whose levels were added.
 ParityReport check_parity(const EvaluatorPlanes& planes, const GlContext& context, const ParityOptions& options = {});
 

@@ -17,7 +17,7 @@ struct HeightClick {
 };
 
 struct HeightmapOptions {
-  int max_representatives = 64;
+  int max_representatives = 1024;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -26,7 +26,8 @@ struct HeightmapOptions {
                 .unit = "clicks",
                 .min = 3,
                 .max = 100000,
-                .help = "a class with more clicks keeps the ones whose surroundings differ most"});
+                .help = "a class with more clicks, such as strokes of a brush, keeps those whose surroundings differ "
+                        "most"});
   }
 };
 

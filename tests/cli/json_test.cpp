@@ -80,6 +80,10 @@ TEST_F(CommandLineJson, EveryVerbWritesOneObjectOfTheSchema) {
   valid_output("decompose " + bundle + " --local-size 2 -o " + at("c.texbundle"), 0);
   valid_output("estimate-psd " + at("c.texbundle"), 0);
   valid_output("bake " + at("bricks.png") + " -o " + at("b.texbundle"), 0);
+  std::ofstream(at("clicks.json")) << "[[5, 5, 0.5]]";
+  valid_output("heightmap " + bundle + " " + at("clicks.json") + " --preview " + at("p.png") + " -o " + at("c.texbundle"), 0);
+  valid_output("stack " + bundle + " " + at("b.texbundle") + " -o " + at("s.texbundle"), 0);
+  valid_output("info " + at("s.texbundle"), 0);
   valid_output("render " + bundle + " --size 16 -o " + at("a.png"), 0);
   valid_output("verify " + bundle, 0);
   valid_output("info " + bundle, 0);

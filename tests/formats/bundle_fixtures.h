@@ -11,6 +11,7 @@
 #include <string>
 
 #include "formats/bundle_io.h"
+#include "formats/history.h"
 #include "formats/json_text.h"
 #include "formats/planes.h"
 #include "libbake/base/half.h"
@@ -190,8 +191,7 @@ inline Bundle bundle_with_everything(float mark = 0.5f, int size = 64) {
   bundle.sources = {{"color", "rock.jpg", std::string(64, 'a'), 12345}};
   bundle.extras["note"] = "for tests";
   const auto record = [&](const char* verb, Json figures) {
-    record_stage(bundle, {.verb = verb, .parameters = {{"seed", 1}, {"min-area", 8.5}}, .figures = std::move(figures)},
-                 bundle.stages.empty() ? std::string(64, '0') : bundle.stages.back().output);
+    record_stage(bundle, {.verb = verb, .parameters = {{"seed", 1}, {"min-area", 8.5}}, .figures = std::move(figures)});
   };
   record("convert", {{"meanDeltaE", 1.25}});
   record("decompose", {{"noiseShare", 0.5}});
@@ -236,6 +236,7 @@ inline void expect_equal(const Scale& a, const Scale& b) {
   EXPECT_TRUE(a.masks == b.masks);
   EXPECT_TRUE(a.height == b.height);
   EXPECT_EQ(a.tile_from_source, b.tile_from_source);
+  EXPECT_TRUE(a.transfer == b.transfer);
   ASSERT_EQ(a.colors.has_value(), b.colors.has_value());
   ASSERT_EQ(a.fragments.has_value(), b.fragments.has_value());
   ASSERT_EQ(a.patches.has_value(), b.patches.has_value());
@@ -296,6 +297,7 @@ inline void expect_equal(const Bundle& a, const Bundle& b) {
     EXPECT_EQ(a.sources[i].name, b.sources[i].name);
     EXPECT_EQ(a.sources[i].sha256, b.sources[i].sha256);
     EXPECT_EQ(a.sources[i].size_bytes, b.sources[i].size_bytes);
+    EXPECT_EQ(a.sources[i].scale, b.sources[i].scale);
   }
   ASSERT_EQ(a.stages.size(), b.stages.size());
   for (size_t i = 0; i < a.stages.size(); ++i) {
@@ -305,6 +307,7 @@ inline void expect_equal(const Bundle& a, const Bundle& b) {
     EXPECT_EQ(a.stages[i].figures, b.stages[i].figures);
     EXPECT_EQ(a.stages[i].input, b.stages[i].input);
     EXPECT_EQ(a.stages[i].output, b.stages[i].output);
+    EXPECT_EQ(a.stages[i].scale, b.stages[i].scale);
   }
   EXPECT_EQ(a.extensions, b.extensions);
   EXPECT_EQ(a.extras, b.extras);

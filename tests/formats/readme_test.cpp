@@ -57,20 +57,6 @@ Pixels read_pixels(const fs::path& folder, const nlohmann::json& plane) {
   return pixels;
 }
 
-/// The array or object that begins at `begin`, without white space.
-std::string compacted(const std::string& text, size_t begin) {
-  std::string compact;
-  int depth = 0;
-  bool in_string = false;
-  for (size_t i = begin; i == begin || depth > 0; ++i) {
-    if (text[i] == '"') in_string = !in_string;  // no string of the bundle has an escaped quote
-    if (!in_string && (text[i] == '[' || text[i] == '{')) ++depth;
-    if (!in_string && (text[i] == ']' || text[i] == '}')) --depth;
-    if (in_string || (text[i] != ' ' && text[i] != '\n')) compact += text[i];
-  }
-  return compact;
-}
-
 class Readme : public testing::Test {
  protected:
   Readme() : bundle_(bundle_with_everything()), path_(folder_ / "a.texbundle") {
@@ -160,12 +146,19 @@ TEST_F(Readme, OwnerOffsetsAndTheFragmentTableAreWhereItSays) {
     EXPECT_EQ(color.at<float>(3, 1, i % 64, i / 64), fragments.fragments[static_cast<size_t>(i)].mean_color.y);
 }
 
-TEST_F(Readme, TheStateHashIsThatOfScalesAndNoiseWithoutWhiteSpace) {
-  const std::string text = file_text(path_ / "bundle.json");
-  const size_t begin = text.find('[', text.find("\"scales\":"));
-  std::string compact = compacted(text, begin);
-  compact += compacted(text, text.find('{', text.find("\"noise\":")));
-  EXPECT_EQ(sha256(compact), manifest_["stages"].back()["output"]);
+TEST_F(Readme, TheOutputOfAStageIsTheHashOfItsMembersWithoutWhiteSpace) {
+  const auto hash_of = [&](const char* member) {
+    nlohmann::ordered_json part = nlohmann::ordered_json::array({{{member, scale_[member]}}});
+    return sha256(compact_json(part));
+  };
+  EXPECT_EQ(manifest_["stages"][5]["output"], hash_of("contents"));
+  nlohmann::ordered_json plane = scale_["planes"]["patch"];
+  plane.erase("file");
+  nlohmann::ordered_json part;
+  part["planes"]["patch"] = plane;
+  part["patches"] = scale_["patches"];
+  EXPECT_EQ(manifest_["stages"][4]["output"], sha256(compact_json(nlohmann::ordered_json::array({part}))));
+  EXPECT_EQ(manifest_["stages"][0]["input"], sha256("color " + std::string(64, 'a') + "\n"));
 }
 
 }  // namespace

@@ -146,7 +146,11 @@ std::vector<Fault> faults_of_the_manifest() {
       {.id = schema_violation, .manifest = [](Json& json) { json["noise"]["tileSize"] = 500; }},
       {.id = member_unknown, .manifest = [](Json& json) { scale_of(json)["colour"] = 1; }},
       {.id = scale_order,
-       .bundle = [](Bundle& bundle) { bundle.scales.push_back(scale_with_everything(32, "finer")); }},
+       .bundle =
+           [](Bundle& bundle) {
+             bundle.scales.push_back(scale_with_everything(160, "finer"));
+             bundle.scales[1].transfer = ScaleTransfer{.ratio = 2};
+           }},
   };
 }
 
@@ -302,6 +306,22 @@ std::vector<Fault> faults_of_the_tables() {
            }},
       {.id = noise_strength,
        .bundle = [](Bundle& bundle) { bundle.scales[0].structure = bundle.scales[0].exemplar.clone(); }},
+      {.id = transfer_missing,
+       .bundle = [](Bundle& bundle) { bundle.scales.push_back(scale_with_everything(64, "finer")); }},
+      {.id = transfer_missing, .bundle = [](Bundle& bundle) { bundle.scales[0].transfer.emplace(); }},
+      {.id = transfer_list,
+       .bundle =
+           [](Bundle& bundle) {
+             bundle.scales.push_back(scale_with_everything(64, "finer"));
+             bundle.scales[1].transfer = ScaleTransfer{.weights = {1, 0.5f}};
+           }},
+      {.id = transfer_fragments,
+       .bundle =
+           [](Bundle& bundle) {
+             bundle.scales.push_back(scale_with_everything(64, "finer"));
+             bundle.scales[1].transfer.emplace();
+             bundle.scales[1].contents.reset(), bundle.scales[1].patches.reset(), bundle.scales[1].fragments.reset();
+           }},
       {.id = state_mismatch, .manifest = [](Json& json) { json["stages"][5]["output"] = std::string(64, 'b'); }},
       {.id = soft_border_width, .manifest = [](Json& json) { scale_of(json)["softBorder"] = 30; }},
       {.id = chain_broken, .manifest = [](Json& json) { json["stages"][2]["input"] = std::string(64, 'b'); }},
@@ -387,7 +407,7 @@ TEST(Verify, AManifestThatMayNotBeReadIsAnIoError) {
 TEST(Verify, ReadingThrowsTheFirstErrorOfWhatItChecks) {
   // What costs a pass over neighbours or sums is verify's alone.
   const std::set<IssueId> only_verify = {
-      scale_order,    palette_unit,    palette_sign,   mean_mismatch,  shape_empty,      shape_not_connected,
+      palette_unit,    palette_sign,   mean_mismatch,  shape_empty,      shape_not_connected,
       shape_owner,    shape_too_large, fragment_split, fragment_color, content_identity, content_translation,
       content_matrix, mask_sum,        spectrum_form,  noise_axes,     state_mismatch};
   for (const Fault& fault : all_faults()) {

@@ -1,0 +1,85 @@
+// texbake heightmap: bundle + a few heights → bundle with a height map.
+#include <memory>
+
+#include "cli/heightmap_stage.h"
+#include "cli/option_flags.h"
+#include "cli/stage_command.h"
+#include "formats/image_writer.h"
+#include "libbake/height/shading.h"
+
+namespace texbake {
+namespace {
+
+struct PreviewOptions {
+  std::string file;
+  float depth_px = 16;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.file, Field{.name = "preview", .unit = "FILE", .help = "write the tile, lit, as a picture"});
+    visit(self.depth_px, Field{.name = "preview-depth",
+                               .unit = "texels",
+                               .min = 0,
+                               .max = 1000,
+                               .help = "how far the surface of the preview rises from height 0 to 1"});
+  }
+};
+
+struct Request {
+  BundlePaths paths;
+  std::string clicks;
+  bool in_source = false;
+  HeightmapOptions options;
+  PreviewOptions preview;
+};
+
+Outcome run(const Request& request, Console& console) {
+  check_options(request.options);
+  check_options(request.preview);
+  const PreviewOptions& preview = request.preview;
+  if (!preview.file.empty()) {
+    check_picture_name(preview.file);
+    check_file_target(preview.file);
+  }
+  const ClickFile clicks = read_clicks(request.clicks);
+  const ClickSpace space = request.in_source ? ClickSpace::source : ClickSpace::tile;
+  Image<V3f> lit;
+  Outcome outcome = change_bundle(request.paths, "heightmap", console, [&](Bundle& bundle) {
+    run_heightmap(bundle, clicks, space, request.options, console);
+    const Scale& scale = bundle.scales.front();
+    if (!preview.file.empty()) lit = shaded(scale.base(), *scale.height, preview.depth_px);
+  });
+  if (preview.file.empty()) return outcome;
+  write_picture(preview.file, lit, PictureRole::color);
+  outcome.result["preview"] = preview.file;
+  return outcome;
+}
+
+Action declare(CLI::App& app) {
+  const auto request = std::make_shared<Request>();
+  app.add_option("BUNDLE", request->paths.input, "a folder NAME.texbundle")->required()->type_name("");
+  app.add_option(
+         "CLICKS", request->clicks,
+         "heights of some texels: .json [{\"x\": 12, \"y\": 34, \"height\": 0.5}, ...], .csv (x,y,height), or a "
+         "grey picture with alpha 0 (without alpha: black) where there is none")
+      ->required()
+      ->type_name("");
+  app.add_option("-o,--output", request->paths.output, "the bundle to write; default: BUNDLE, in place")
+      ->type_name("BUNDLE");
+  app.add_flag("--source-coordinates", request->in_source,
+               "clicks count in texels of the photograph instead of the tile's");
+  add_flags(app, request->options, "Options");
+  add_flags(app, request->preview, "Options");
+  return [request](Console& console) { return run(*request, console); };
+}
+
+}  // namespace
+
+Command heightmap_command() {
+  return {"heightmap", "bundle + a few heights → bundle: a height map from clicks on features that look alike",
+          "  texbake heightmap bricks.texbundle clicks.json --preview bricks_lit.png\n"
+          "  texbake heightmap bricks.texbundle strokes.png -o relief.texbundle",
+          declare};
+}
+
+}  // namespace texbake

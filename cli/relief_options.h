@@ -1,0 +1,27 @@
+// How a surface with relief is looked at and lit: the options that pictures of it share.
+#pragma once
+
+#include <string>
+
+#include "cli/option_text.h"
+#include "libbake/eval/relief.h"
+
+namespace texbake {
+
+struct SlantOptions {
+  std::string view = "0,0,1";
+  std::string light = "-1,-1,1.5";
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.view, Field{.name = "view-direction",
+                           .unit = "X,Y,Z",
+                           .help = "towards the viewer of a flat window with --relief: x right, y down, z up"});
+    visit(self.light, Field{.name = "light", .unit = "X,Y,Z", .help = "towards the light of --relief, z > 0"});
+  }
+};
+
+/// "X,Y,Z" with z > 0. Throws Error(usage).
+Direction parse_direction(std::string_view flag, const std::string& text);
+
+}  // namespace texbake

@@ -1,0 +1,62 @@
+#include "formats/click_picture.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "formats/limits.h"
+
+namespace texbake {
+namespace {
+
+Error refusal(const std::string& path, const std::string& found) {
+  return Error(ErrorKind::bad_data,
+               fmt::format("{}: expected clicks as .json, .csv or a grey picture whose alpha tells where they are, "
+                           "found {}",
+                           path, found));
+}
+
+struct Pixels {
+  std::vector<float> values;  ///< channels interleaved
+  int width = 0, height = 0, channels = 0;
+  int alpha = -1;  ///< the channel; −1: none
+};
+
+Pixels read_pixels(const std::string& path) {
+  OIIO::ImageSpec settings;
+  settings["oiio:UnassociatedAlpha"] = 1;  // else heights are multiplied by alpha
+  const auto input = OIIO::ImageInput::open(path, &settings);
+  if (!input) throw refusal(path, "something else (" + OIIO::geterror() + ")");
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.width > kMaxTileSize || spec.height > kMaxTileSize || spec.deep)
+    throw refusal(path, fmt::format("{} x {} texels", spec.width, spec.height));
+  Pixels pixels{{}, spec.width, spec.height, spec.nchannels, spec.alpha_channel};
+  const int colors = pixels.channels - (pixels.alpha >= 0 ? 1 : 0);
+  if (colors != 1 && colors != 3) throw refusal(path, fmt::format("{} channels", pixels.channels));
+  pixels.values.resize(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
+                       static_cast<size_t>(pixels.channels));
+  if (!input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::FLOAT, pixels.values.data()))
+    throw refusal(path, "a damaged picture (" + input->geterror() + ")");
+  return pixels;
+}
+
+}  // namespace
+
+ClickFile read_click_picture(const std::string& path) {
+  const Pixels pixels = read_pixels(path);
+  ClickFile file;
+  file.picture_size = V2i(pixels.width, pixels.height);
+  const float* texel = pixels.values.data();
+  for (int y = 0; y < pixels.height; ++y)
+    for (int x = 0; x < pixels.width; ++x, texel += pixels.channels) {
+      const float height = texel[pixels.alpha == 0 ? 1 : 0];
+      for (int c = 0; c < pixels.channels; ++c)
+        if (c != pixels.alpha && texel[c] != height) throw refusal(path, fmt::format("colour at texel ({}, {})", x, y));
+      const bool is_click = pixels.alpha >= 0 ? texel[pixels.alpha] > 0 : height != 0;
+      if (is_click) file.clicks.push_back({{x, y}, height});
+    }
+  return file;
+}
+
+}  // namespace texbake

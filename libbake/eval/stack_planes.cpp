@@ -1,0 +1,325 @@
+#include "libbake/eval/stack_planes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libbake/base/error.h"
+#include "libbake/base/parallel.h"
+#include "libbake/color/luv.h"
+#include "libbake/eval/box_mean.h"
+#include "libbake/eval/program_of.h"
+
+namespace texbake {
+namespace {
+
+// Bits of scale_table, as shown_texel of scales.glsl reads them.
+constexpr int kLocalMean = 4, kNoVariation = 8, kNoCoarseVariation = 16, kLabels = 32;
+
+V2i size_of(const StackScale& scale) { return {scale.input.base.width(), scale.input.base.height()}; }
+
+size_t classes_of(const StackScale& scale) {
+  return scale.input.colors ? scale.input.colors->palette.classes.size() : 1;
+}
+
+float entry(const std::vector<float>& list, size_t i) { return list.empty() ? 1.0f : list[i]; }
+
+bool any_other_than_one(const std::vector<float>& list) {
+  return std::any_of(list.begin(), list.end(), [](float x) { return x != 1.0f; });
+}
+
+void check_list(const std::vector<float>& list, size_t classes, const char* what, const char* whose) {
+  if (!list.empty() && list.size() != classes)
+    throw Error(ErrorKind::bad_data, fmt::format("{}: expected {} numbers, one for each colour class of the {} scale, "
+                                                 "found {}",
+                                                 what, classes, whose, list.size()));
+  for (const float x : list)
+    if (!(x >= 0 && x <= 16)) throw Error(ErrorKind::bad_data, fmt::format("{}: expected 0 to 16, found {}", what, x));
+}
+
+/// The images of all scales, one below the other; narrower ones leave the right side as `empty`.
+template <class T>
+Image<T> stacked(const std::vector<const Image<T>*>& images, T empty) {
+  int width = 1, height = 0;
+  for (const Image<T>* image : images) {
+    width = std::max(width, image->width());
+    height += image->height();
+  }
+  Image<T> all(width, height, empty);
+  int row = 0;
+  for (const Image<T>* image : images)
+    for (int y = 0; y < image->height(); ++y, ++row) std::copy_n(image->row(y), image->width(), all.row(row));
+  return all;
+}
+
+Image<glsl::FragmentTexel> fragment_plane(const StackScale& scale) {
+  const V2i size = size_of(scale);
+  Image<glsl::FragmentTexel> plane(size.x, size.y);
+  const FragmentMap* fragments = scale.input.fragments;
+  const PrincipalVariation* colors = scale.input.colors;
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      glsl::FragmentTexel& texel = plane(x, y);
+      if (colors) texel.class_idx = colors->index(x, y);
+      if (!fragments) continue;
+      const uint32_t idx = fragments->partition.idx(x, y);
+      const OwnerOffset owner = fragments->partition.owner(x, y);
+      const V2i way = fragments->partition.centers[idx] + V2i(owner.x * size.x - x, owner.y * size.y - y);
+      texel.center_x = static_cast<int16_t>(way.x);
+      texel.center_y = static_cast<int16_t>(way.y);
+      texel.fragment_class = static_cast<int16_t>(fragments->fragments[idx].class_idx);
+    }
+  return plane;
+}
+
+/// Colours of the classes and what §8 lets a person choose for each: two rows.
+void add_classes(const StackScale& scale, const ScaleTransfer* finer, std::vector<glsl::vec4> (&rows)[2]) {
+  const ScaleTransfer own = scale.transfer ? *scale.transfer : ScaleTransfer{};
+  const std::vector<float> giving = finer ? finer->coarse_weights : std::vector<float>{};
+  for (size_t k = 0; k < classes_of(scale); ++k) {
+    const V3f color = scale.input.colors ? linear_from_luv(scale.input.colors->palette.classes[k].dominant) : V3f(0);
+    rows[0].emplace_back(color.x, color.y, color.z, entry(own.detail_gains, k));
+    rows[1].emplace_back(entry(own.weights, k), entry(giving, k), 0.0f, 0.0f);
+  }
+}
+
+/// Means over a tile, in double, of the dominant part and of the whole with the gains of its classes.
+struct TileMeans {
+  V3f dominant, whole;
+};
+
+TileMeans tile_means(const StackScale& scale, const Image<V3f>& detail) {
+  Imath::V3d dominant(0), whole(0);
+  const PrincipalVariation* colors = scale.input.colors;
+  std::vector<V3f> dominants;
+  if (colors)
+    for (const ColorClass& c : colors->palette.classes) dominants.push_back(linear_from_luv(c.dominant));
+  for (int y = 0; y < detail.height(); ++y) {
+    Imath::V3d dominant_row(0), whole_row(0);
+    for (int x = 0; x < detail.width(); ++x) {
+      whole_row += Imath::V3d(detail(x, y));
+      if (colors) dominant_row += Imath::V3d(dominants[colors->index(x, y)]);
+    }
+    dominant += dominant_row;
+    whole += whole_row;
+  }
+  const double texels = static_cast<double>(detail.size());
+  return {V3f(dominant / texels), V3f(whole / texels)};
+}
+
+/// The base with the gains of its classes: what a scale adds to the coarser colour.
+Image<V3f> detail_of(const StackScale& scale) {
+  const ImageView<const V3f> base = scale.input.base;
+  Image<V3f> detail(base.width(), base.height());
+  const bool gains = scale.transfer && scale.input.colors && !scale.transfer->detail_gains.empty();
+  std::vector<V3f> dominants;
+  if (gains)
+    for (const ColorClass& c : scale.input.colors->palette.classes) dominants.push_back(linear_from_luv(c.dominant));
+  for (int y = 0; y < base.height(); ++y)
+    for (int x = 0; x < base.width(); ++x) {
+      detail(x, y) = base(x, y);
+      if (!gains) continue;
+      const size_t k = scale.input.colors->index(x, y);
+      const float gain = scale.transfer->detail_gains[k];
+      if (gain != 1.0f) detail(x, y) = dominants[k] + (base(x, y) - dominants[k]) * gain;
+    }
+  return detail;
+}
+
+int transfer_bits(const StackScale& scale, const ScaleTransfer* finer) {
+  int bits = 0;
+  if (const ScaleTransfer* own = scale.transfer) {
+    bits = static_cast<int>(own->mode);
+    if (own->detail_mean == DetailMean::local) bits |= kLocalMean;
+    if (own->variation == VariationFrom::coarse) bits |= kNoVariation;
+    if (own->variation == VariationFrom::fine) bits |= kNoCoarseVariation;
+  }
+  const bool reads_labels =
+      finer && (any_other_than_one(finer->coarse_weights) || finer->variation == VariationFrom::fine);
+  return reads_labels ? bits | kLabels : bits;
+}
+
+glsl::vec4 texel_of(const V3f& color) { return {color.x, color.y, color.z, 0}; }
+
+template <class T>
+Image<T> image_of(const std::vector<T> (&rows)[2], T empty) {
+  Image<T> image(static_cast<int>(rows[0].size()), 2, empty);
+  for (int y = 0; y < 2; ++y) std::copy(rows[y].begin(), rows[y].end(), image.row(y));
+  return image;
+}
+
+/// A table of one row for each scale.
+template <class T>
+Image<T> transposed(const std::vector<T> (&columns)[2], T empty) {
+  Image<T> image(2, static_cast<int>(columns[0].size()), empty);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < 2; ++x) image(x, y) = columns[x][static_cast<size_t>(y)];
+  return image;
+}
+
+template <class T>
+std::vector<const Image<T>*> pointers_to(const std::vector<Image<T>>& images) {
+  std::vector<const Image<T>*> pointers;
+  for (const Image<T>& image : images) pointers.push_back(&image);
+  return pointers;
+}
+
+/// Takes the scales from coarse to fine, then puts them together.
+class StackBuilder {
+ public:
+  void add(const StackScale& scale, const ScaleTransfer* finer) {
+    EvaluatorInput input = scale.input;
+    input.maps.clear();  // a stack passes colours alone
+    planes_.push_back(prepare(input));
+    const EvaluatorPlanes& own = planes_.back();
+    const ScaleTransfer transfer = scale.transfer ? *scale.transfer : ScaleTransfer{};
+    fragments_.push_back(fragment_plane(scale));
+    add_means(scale, transfer);
+    add_classes(scale, finer, classes_);
+    scales_[0].emplace_back(own.size.x, own.size.y, row_, patch_);
+    scales_[1].emplace_back(own.content_count, transfer.ratio, first_class_, transfer_bits(scale, finer));
+    stack_.sizes.push_back(own.size);
+    stack_.transfers.push_back(transfer);
+    stack_.content_counts.push_back(own.content_count);
+    stack_.patch_counts.push_back(own.patch_count);
+    row_ += own.size.y;
+    patch_ += own.patch_count;
+    first_class_ += static_cast<int>(classes_of(scale));
+  }
+
+  StackPlanes take() {
+    std::vector<const Image<glsl::PatchTexel>*> patch_planes;
+    std::vector<const Image<glsl::ivec4>*> contents;
+    std::vector<const Image<glsl::vec4>*> bases;
+    for (const EvaluatorPlanes& scale : planes_) {
+      patch_planes.push_back(&scale.patch_plane);
+      contents.push_back(&scale.contents);
+      bases.push_back(&scale.base.texels);
+    }
+    stack_.patch_plane = stacked(patch_planes, glsl::PatchTexel{});
+    stack_.contents = stacked(contents, glsl::ivec4{0, 65536, 65536, 0});
+    stack_.base = stacked(bases, kNothing);
+    stack_.fragment_plane = stacked(pointers_to(fragments_), glsl::FragmentTexel{});
+    stack_.centers = Image<glsl::ivec4>(patch_, 1, {0, 0, 0, 0});
+    auto* center = stack_.centers.data();
+    for (const EvaluatorPlanes& scale : planes_)
+      center = std::copy_n(scale.centers.data(), scale.centers.width(), center);
+    stack_.local_mean = stacked_local_means();
+    stack_.scale_table = transposed(scales_, glsl::ivec4{0, 0, 0, 0});
+    stack_.mean_table = transposed(means_, kNothing);
+    stack_.class_table = image_of(classes_, kNothing);
+    return std::move(stack_);
+  }
+
+ private:
+  const glsl::vec4 kNothing{0, 0, 0, 0};
+
+  void add_means(const StackScale& scale, const ScaleTransfer& transfer) {
+    const Image<V3f> detail = detail_of(scale);
+    const TileMeans means = tile_means(scale, detail);
+    means_[0].push_back(texel_of(means.dominant));
+    means_[1].push_back(texel_of(means.whole));
+    const bool is_local = scale.transfer && transfer.detail_mean == DetailMean::local;
+    local_means_.push_back(is_local ? box_means(detail, transfer.ratio) : Image<glsl::vec4>());
+  }
+
+  /// In the rows of their scales; one texel where there are none.
+  Image<glsl::vec4> stacked_local_means() {
+    const bool any =
+        std::any_of(local_means_.begin(), local_means_.end(), [](const auto& image) { return !image.empty(); });
+    if (!any) return Image<glsl::vec4>(1, 1, kNothing);
+    for (size_t s = 0; s < local_means_.size(); ++s)
+      if (local_means_[s].empty()) local_means_[s] = Image<glsl::vec4>(stack_.sizes[s].x, stack_.sizes[s].y, kNothing);
+    return stacked(pointers_to(local_means_), kNothing);
+  }
+
+  StackPlanes stack_;
+  std::vector<EvaluatorPlanes> planes_;
+  std::vector<Image<glsl::FragmentTexel>> fragments_;
+  std::vector<Image<glsl::vec4>> local_means_;
+  std::vector<glsl::ivec4> scales_[2];
+  std::vector<glsl::vec4> classes_[2];
+  std::vector<glsl::vec4> means_[2];
+  int row_ = 0, patch_ = 0, first_class_ = 0;
+};
+
+}  // namespace
+
+void check_transfer(const StackScale& coarse, const StackScale& fine) {
+  const ScaleTransfer& transfer = *fine.transfer;
+  if (transfer.ratio < 2 || transfer.ratio > kMaxRatio)
+    throw Error(ErrorKind::bad_data, fmt::format("ratio: expected 2 to {} fine texels along a coarse one, found {}",
+                                                 kMaxRatio, transfer.ratio));
+  if (!fine.input.colors || (transfer.mode == TransferMode::fragment && !fine.input.fragments))
+    throw Error(ErrorKind::bad_data,
+                "expected fragments in a scale that takes the colours of a coarser one, found none; run \"texbake "
+                "fragment\" on it before it is stacked");
+  const V2i small = size_of(fine), large = size_of(coarse) * transfer.ratio;
+  if (small.x > large.x || small.y > large.y)
+    throw Error(
+        ErrorKind::bad_data,
+        fmt::format("expected a fine tile no larger than the coarse one, {} x {} fine texels at ratio {}, found "
+                    "{} x {}: are the scales in the order coarse to fine?",
+                    large.x, large.y, transfer.ratio, small.x, small.y));
+  check_list(transfer.weights, classes_of(fine), "weights", "fine");
+  check_list(transfer.detail_gains, classes_of(fine), "detail gains", "fine");
+  check_list(transfer.coarse_weights, classes_of(coarse), "coarse weights", "coarse");
+}
+
+int64_t StackPlanes::texels_in(int scale) const {
+  int64_t texels = 1;
+  for (int s = scale + 1; s < scale_count(); ++s) texels *= transfers[static_cast<size_t>(s)].ratio;
+  return texels;
+}
+
+StackPlanes prepare_stack(const std::vector<StackScale>& scales) {
+  if (scales.empty() || scales.size() > kMaxScales)
+    throw Error(ErrorKind::bad_data, fmt::format("expected 1 to {} scales, found {}", kMaxScales, scales.size()));
+  for (size_t s = 1; s < scales.size(); ++s) check_transfer(scales[s - 1], scales[s]);
+  StackBuilder builder;
+  for (size_t s = 0; s < scales.size(); ++s)
+    builder.add(scales[s], s + 1 < scales.size() ? scales[s + 1].transfer : nullptr);
+  return builder.take();
+}
+
+Nesting nesting_at(const StackPlanes& planes, glsl::uvec2 reference) {
+  const auto floor_div = [](int64_t a, int64_t b) { return a / b - (a % b < 0 ? 1 : 0); };
+  Nesting nesting;
+  glsl::uvec2 tile = reference;
+  for (int s = planes.finest(); s > 0; --s) {
+    const auto at = static_cast<size_t>(s);
+    const V2i size = planes.sizes[at], coarse = planes.sizes[at - 1] * planes.transfers[at].ratio;
+    // Repetitions count from −2^31: the texture is continuous around 0, and wraps far away.
+    const int64_t x = int64_t{static_cast<int32_t>(tile.x)} * size.x,
+                  y = int64_t{static_cast<int32_t>(tile.y)} * size.y;
+    const int64_t kx = floor_div(x, coarse.x), ky = floor_div(y, coarse.y);
+    const glsl::uvec2 outer(static_cast<uint32_t>(kx), static_cast<uint32_t>(ky));
+    nesting.tiles[at] = {tile.x, tile.y, outer.x, outer.y};
+    nesting.offsets[at] = {static_cast<int>(x - kx * coarse.x), static_cast<int>(y - ky * coarse.y)};
+    tile = outer;
+  }
+  return nesting;
+}
+
+glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 reference) {
+  glsl::Program program;
+  program.patch_plane = sampler_of(planes.patch_plane);
+  program.contents = sampler_of(planes.contents);
+  program.centers = sampler_of(planes.centers);
+  program.base = sampler_of(planes.base);
+  program.fragment_plane = sampler_of(planes.fragment_plane);
+  program.local_mean = sampler_of(planes.local_mean);
+  program.scale_table = sampler_of(planes.scale_table);
+  program.class_table = sampler_of(planes.class_table);
+  program.mean_table = sampler_of(planes.mean_table);
+  program.scale_count = planes.scale_count();
+  program.stack_seed = seed;
+  const Nesting nesting = nesting_at(planes, reference);
+  std::copy(nesting.tiles.begin(), nesting.tiles.end(), program.nesting);
+  std::copy(nesting.offsets.begin(), nesting.offsets.end(), program.nesting_offset);
+  program.use_scale(planes.finest());
+  return program;
+}
+
+}  // namespace texbake

@@ -1,0 +1,61 @@
+// Puts the planes of several scales together, as shaders/scales.glsl reads them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "libbake/eval/prepare.h"
+#include "libbake/eval/program.h"
+#include "libbake/eval/transfer.h"
+
+namespace texbake {
+
+/// One scale, coarse to fine.
+struct StackScale {
+  EvaluatorInput input;
+  const ScaleTransfer* transfer = nullptr;  ///< nullptr for the coarsest alone
+};
+
+/// Everything that a stack binds: shaders/README.md, "Several scales".
+struct StackPlanes {
+  std::vector<V2i> sizes;                ///< of the tiles, coarse to fine
+  std::vector<ScaleTransfer> transfers;  ///< of each scale; the coarsest's means nothing
+  std::vector<int> content_counts, patch_counts;
+  Image<glsl::PatchTexel> patch_plane;
+  Image<glsl::ivec4> contents;
+  Image<glsl::ivec4> centers;
+  Image<glsl::vec4> base;
+  Image<glsl::FragmentTexel> fragment_plane;
+  Image<glsl::vec4> local_mean;
+  Image<glsl::ivec4> scale_table;
+  Image<glsl::vec4> class_table;
+  Image<glsl::vec4> mean_table;
+
+  int scale_count() const { return static_cast<int>(sizes.size()); }
+  int finest() const { return scale_count() - 1; }
+  /// Texels of the finest scale along one texel of `scale`.
+  int64_t texels_in(int scale) const;
+};
+
+/// Throws Error(bad_data) where prepare does, for more than kMaxScales scales, a scale without fragments or colours
+/// beside others, a ratio out of range, lists of weights of another length than the palette, or a tile that is larger
+/// than that of the coarser scale: the scales are then in the wrong order.
+StackPlanes prepare_stack(const std::vector<StackScale>& scales);
+
+/// Throws Error(bad_data) unless `fine` can follow `coarse` with `transfer`; a part of prepare_stack that costs
+/// nothing.
+void check_transfer(const StackScale& coarse, const StackScale& fine);
+
+/// The reference text, bound; borrows `planes`. `reference` is a repetition of the finest tile near what is drawn: all
+/// texels within 2^30 of it have their places in all scales, exactly.
+glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 reference);
+
+/// The same place in each scale's terms: nesting and nesting_offset of stack_bindings.glsl.
+struct Nesting {
+  std::array<glsl::uvec4, kMaxScales> tiles{};
+  std::array<glsl::ivec2, kMaxScales> offsets{};
+};
+Nesting nesting_at(const StackPlanes& planes, glsl::uvec2 reference);
+
+}  // namespace texbake

@@ -1,0 +1,51 @@
+#include "libbake/gl/stack_parity.h"
+
+#include <algorithm>
+
+namespace texbake {
+
+std::vector<ScaleView> parity_views(const StackPlanes& planes) {
+  std::vector<ScaleView> views;
+  for (int scale = planes.finest(); scale >= 0; --scale) {
+    views.push_back({scale, 0, 1});
+    if (scale > 0) views.push_back({scale, 0.3f, 0.4f});
+    if (scale > 0) views.push_back({scale, 0.7f, 0});
+  }
+  return views;
+}
+
+ParityReport check_stack_parity(const StackPlanes& planes, const GlContext& context, const ParityOptions& options) {
+  GlStackRenderer renderer(context, planes);
+  ParityReport report;
+  report.driver = context.description();
+  std::vector<std::vector<bool>> seen;
+  for (size_t s = 0; s < planes.sizes.size(); ++s)
+    seen.emplace_back(static_cast<size_t>(planes.patch_counts[s]) * static_cast<size_t>(planes.content_counts[s]),
+                      false);
+  const auto all_seen = [&] {
+    return std::all_of(seen.begin(), seen.end(), [](const std::vector<bool>& scale) {
+      return std::find(scale.begin(), scale.end(), false) == scale.end();
+    });
+  };
+  // Windows for each size of tile; a view takes the next one of its scale.
+  ParityOptions longest = options;
+  longest.windows = std::max(options.windows, options.most_windows);
+  std::vector<std::vector<Window>> windows;
+  for (const V2i& size : planes.sizes) windows.push_back(parity_windows(size, longest));
+  const std::vector<ScaleView> views = parity_views(planes);
+  for (int i = 0; i < longest.windows && (i < options.windows || !all_seen()); ++i) {
+    const ScaleView& view = views[static_cast<size_t>(i) % views.size()];
+    const auto scale = static_cast<size_t>(view.scale);
+    const Window& window = windows[scale][static_cast<size_t>(i)];
+    const Frame expected = reference_stack_frame(planes, window, view);
+    count_contents(expected, planes.content_counts[scale], seen[scale]);
+    add_frames(report, window, "stack", expected, renderer.draw(window, view));
+  }
+  for (const std::vector<bool>& scale : seen) {
+    report.contents += scale.size();
+    report.drawn_contents += static_cast<uint64_t>(std::count(scale.begin(), scale.end(), true));
+  }
+  return report;
+}
+
+}  // namespace texbake

@@ -1,0 +1,15 @@
+// Compares the processor with the reference shader on OpenGL for a stack of scales.
+#pragma once
+
+#include "libbake/gl/gl_stack_renderer.h"
+#include "libbake/gl/parity.h"
+
+namespace texbake {
+
+/// Every scale by itself and fading into the one before it, with and without its variation, in turn.
+std::vector<ScaleView> parity_views(const StackPlanes& planes);
+
+/// The windows of parity_windows, each with a view; more are drawn until every content of every scale was seen.
+ParityReport check_stack_parity(const StackPlanes& planes, const GlContext& context, const ParityOptions& options = {});
+
+}  // namespace texbake

@@ -1,0 +1,234 @@
+// Several scales of one material, coarse to fine: the colour of a coarse texel passes to the fine fragments inside it.
+// Based on: Vanhoey et al. 2013, §6, eq. 5, Fig. 6. Needs sample.glsl and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
+//
+// One texture holds the planes of all scales, one below the other; `use_scale` says which of them the functions of
+// content.glsl and sample.glsl read: it sets tile_size, content_count, seed, plane_row and first_patch.
+
+void use_scale(int scale) {
+  ivec4 plane = texelFetch(scale_table, ivec2(0, scale), 0);
+  ivec4 table = texelFetch(scale_table, ivec2(1, scale), 0);
+  tile_size = ivec2(plane.x, plane.y);
+  plane_row = plane.z;
+  first_patch = plane.w;
+  content_count = uint(table.x);
+  ratio = table.y;
+  first_class = table.z;
+  transfer_bits = table.w;
+  seed = stack_seed + uint(scale_count - 1 - scale) * 2654435769u;
+}
+
+// a / b, rounded down, for b > 0: `/` of negative integers differs between languages.
+int floor_divided(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+// Where a texel lies in the next coarser scale, on one axis: its repetition there, and how far in, in texels of its
+// own. `start` is the upper left corner of the repetition `reference`: of repetition start.x, start.y texels in.
+ivec2 coarser_place(int x, int repetition, int side, ivec2 start, int coarse_side) {
+  int distance = start.y + repetition * side + x;
+  int beyond = floor_divided(distance, coarse_side);
+  return ivec2(start.x + beyond, distance - beyond * coarse_side);
+}
+
+// The place of texel `at` of `scale`, which is in use, in the scale before it: repetitions and texels of `scale`. `at.p`
+// may lie outside its tile.
+Position coarser_origin(int scale, Texel at) {
+  uvec4 nest = nesting[scale];
+  ivec2 offset = nesting_offset[scale];
+  ivec4 coarse = texelFetch(scale_table, ivec2(0, scale - 1), 0);
+  ivec2 x = coarser_place(at.p.x, int(at.tile.x - nest.x), tile_size.x, ivec2(int(nest.z), offset.x), coarse.x * ratio);
+  ivec2 y = coarser_place(at.p.y, int(at.tile.y - nest.y), tile_size.y, ivec2(int(nest.w), offset.y), coarse.y * ratio);
+  Position place;
+  place.tile = uvec2(uint(x.x), uint(y.x));
+  place.offset = ivec2(x.y, y.y);
+  return place;
+}
+
+// The texel of the scale before `scale` in which a texel of it lies.
+Texel coarser_texel(int scale, Texel at) {
+  Position place = coarser_origin(scale, at);
+  Texel coarse;
+  coarse.tile = place.tile;
+  coarse.p = ivec2(place.offset.x / ratio, place.offset.y / ratio);
+  return coarse;
+}
+
+// The same for a point: 1/256 texel of the coarser scale, rounded down.
+Position coarser_position(int scale, Position at) {
+  Position place = coarser_origin(scale, texel_at(at));
+  uint x = uint(place.offset.x) * 256u + uint(at.offset.x & 255);
+  uint y = uint(place.offset.y) * 256u + uint(at.offset.y & 255);
+  Position coarse;
+  coarse.tile = place.tile;
+  coarse.offset = ivec2(int(x / uint(ratio)), int(y / uint(ratio)));
+  return coarse;
+}
+
+// Where the centre of the fragment that shows at `at` lies in the infinite texture: a texel of the repetition at.tile,
+// perhaps outside it. `labels` are those of the source; their xy lead to the centre there.
+// For a turned content the way from the content's centre to the fragment's, the same for all of its texels, is turned
+// back: by the inverse of (a, b) / 65536, which is lambda^2 (a, -b) / 65536, in 1/16384.
+ivec2 fragment_center(Texel at, Decision decision, Source source, ivec4 labels) {
+  if (source.matrix.x == 65536 && source.matrix.y == 0) return ivec2(at.p.x + labels.x, at.p.y + labels.y);
+  ivec4 center = texelFetch(centers, ivec2(decision.patch_idx + first_patch, 0), 0);
+  int patch_x = center.x + decision.owner.x * tile_size.x;
+  int patch_y = center.y + decision.owner.y * tile_size.y;
+  int dx = at.p.x - patch_x;
+  int dy = at.p.y - patch_y;
+  int from_x = ((source.matrix.x * dx - source.matrix.y * dy + 32768) >> 16) + labels.x;
+  int from_y = ((source.matrix.y * dx + source.matrix.x * dy + 32768) >> 16) + labels.y;
+  int square = ((source.scale >> 1) * (source.scale >> 1)) >> 15;
+  int a = ((source.matrix.x >> 2) * square) >> 15;
+  int b = ((source.matrix.y >> 2) * square) >> 15;
+  return ivec2(patch_x + ((a * from_x + b * from_y + 8192) >> 14), patch_y + ((a * from_y - b * from_x + 8192) >> 14));
+}
+
+// A colour with its variation, what it has beside the dominant colour of its class, times `share` and the class's gain.
+vec4 with_variation(vec4 color, int class_idx, float share) {
+  vec4 entry = texelFetch(class_table, ivec2(first_class + class_idx, 0), 0);
+  float kept = share * entry.w;
+  if (kept == 1.0f) return color;
+  return lerp(vec4(entry.x, entry.y, entry.z, 0.0f), color, kept);
+}
+
+// The mean of what with_variation gives over the tile of `scale`, or around the texel `p` of it.
+vec4 detail_mean(int scale, ivec2 p, float share) {
+  vec4 dominant = texelFetch(mean_table, ivec2(0, scale), 0);
+  vec4 whole = texelFetch(mean_table, ivec2(1, scale), 0);
+  vec4 mean = share == 1.0f ? whole : lerp(dominant, whole, share);
+  if ((transfer_bits & 4) == 0) return mean;
+  vec4 around = texelFetch(local_mean, ivec2(p.x, p.y + plane_row), 0);
+  PRECISE vec4 moved = around + (mean - whole);
+  return moved;
+}
+
+// What one scale shows at a texel, and where the next coarser one gives its colour.
+struct Shown {
+  vec4 color;
+  vec4 mean;      // of the scale's detail: what the coarser colour replaces
+  float giving;   // share of this colour that a finer scale gets
+  float taking;   // share of the coarser colour that is taken
+  Texel anchor;   // texel of this scale at whose place the coarser colour is read; p may lie outside the tile
+};
+
+// Of `scale`, which is in use. Bits: 1, 2 mode (0 fragment, 1 texel, 2 bilinear); 4 local mean; 8 without variation of
+// its own; 16 the coarser without variation; 32 labels are read in the coarsest scale too.
+Shown shown_texel(int scale, Texel at, float variation) {
+  float share = (transfer_bits & 8) != 0 ? 0.0f : variation;
+  Decision decision = decide(at);
+  Source source = source_of(at, decision);
+  ivec4 labels = ivec4(0, 0, 0, 0);
+  if (scale > 0 || (transfer_bits & 32) != 0)
+    labels = texelFetch(fragment_plane, ivec2(source.nearest.x, source.nearest.y + plane_row), 0);
+  Shown shown;
+  shown.color = with_variation(source_value(base, source), labels.w, share);
+  shown.giving = texelFetch(class_table, ivec2(first_class + labels.w, 1), 0).y;
+  shown.taking = texelFetch(class_table, ivec2(first_class + labels.z, 1), 0).x;
+  shown.anchor = at;
+  shown.mean = shown.color;
+  if (scale == 0) return shown;
+  ivec2 middle = source.nearest;
+  if ((transfer_bits & 3) == 0) {
+    shown.anchor.p = fragment_center(at, decision, source, labels);
+    middle = ivec2(wrap_any(middle.x + labels.x, tile_size.x), wrap_any(middle.y + labels.y, tile_size.y));
+  }
+  shown.mean = detail_mean(scale, middle, share);
+  return shown;
+}
+
+// The texel `place` of scale `finest`, with the colours of all coarser scales: eq. 5, scale by scale. `variation` is the
+// share that is left of the finest scale's. Leaves another scale in use.
+vec4 stacked_texel(int finest, Texel place, float variation) {
+  Texel at = place;
+  vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  vec4 mean = sum;
+  float weight = 1.0f;
+  float share = variation;
+  for (int scale = finest; scale >= 0; --scale) {
+    use_scale(scale);
+    Shown shown = shown_texel(scale, at, share);
+    if (scale == finest) {
+      sum = shown.color;
+    } else {
+      weight = weight * shown.giving;
+      PRECISE vec4 arrived = sum + (shown.color - mean) * weight;
+      sum = arrived;
+    }
+    if (scale == 0) break;
+    weight = weight * shown.taking;
+    mean = shown.mean;
+    share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
+    at = coarser_texel(scale, shown.anchor);
+  }
+  return sum;
+}
+
+// The four texels of the scale in use around a point, and their weights.
+struct Neighbours {
+  Texel upper_left;
+  Texel upper_right;
+  Texel lower_left;
+  Texel lower_right;
+  ivec2 fraction;  // 0 ... 255
+};
+
+Neighbours neighbours_at(Position at) {
+  Position corner = upper_left_center(at);
+  Neighbours around;
+  around.upper_left = texel_at(corner);
+  around.upper_right = right_of(around.upper_left);
+  around.lower_left = below(around.upper_left);
+  around.lower_right = right_of(around.lower_left);
+  around.fraction = ivec2(corner.offset.x & 255, corner.offset.y & 255);
+  return around;
+}
+
+// stacked_texel where `finest` takes the coarser colour between four texels of it.
+vec4 smoothly_stacked_texel(int finest, Texel at, float variation) {
+  use_scale(finest);
+  Shown shown = shown_texel(finest, at, variation);
+  float share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
+  Position center;
+  center.tile = at.tile;
+  center.offset = ivec2(at.p.x * 256 + 128, at.p.y * 256 + 128);
+  Position place = coarser_position(finest, center);
+  use_scale(finest - 1);
+  Neighbours around = neighbours_at(place);
+  vec4 coarse = bilinear(stacked_texel(finest - 1, around.upper_left, share),
+                         stacked_texel(finest - 1, around.upper_right, share),
+                         stacked_texel(finest - 1, around.lower_left, share),
+                         stacked_texel(finest - 1, around.lower_right, share), around.fraction);
+  PRECISE vec4 arrived = shown.color + (coarse - shown.mean) * shown.taking;
+  return arrived;
+}
+
+// The discrete function of a scale: what its texel `at` shows.
+vec4 scale_texel(int scale, Texel at, float variation) {
+  use_scale(scale);
+  if (scale > 0 && (transfer_bits & 3) == 2) return smoothly_stacked_texel(scale, at, variation);
+  return stacked_texel(scale, at, variation);
+}
+
+vec4 scale_nearest(int scale, Position at, float variation) {
+  return scale_texel(scale, texel_at(at), variation);
+}
+
+vec4 scale_bilinear(int scale, Position at, float variation) {
+  use_scale(scale);
+  Neighbours around = neighbours_at(at);
+  return bilinear(scale_texel(scale, around.upper_left, variation), scale_texel(scale, around.upper_right, variation),
+                  scale_texel(scale, around.lower_left, variation), scale_texel(scale, around.lower_right, variation),
+                  around.fraction);
+}
+
+// A point between two scales: `fading` is 0 where `scale` shows alone and 1 where the one before it does; `variation` is
+// the share of its variation that `scale` still has. `smooth_filter` is 0 for nearest, 1 for bilinear.
+vec4 stacked_value(int scale, Position at, float fading, float variation, int smooth_filter) {
+  vec4 fine = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  if (fading < 1.0f)
+    fine = smooth_filter == 0 ? scale_nearest(scale, at, variation) : scale_bilinear(scale, at, variation);
+  if (fading == 0.0f) return fine;
+  use_scale(scale);
+  Position place = coarser_position(scale, at);
+  vec4 coarse = smooth_filter == 0 ? scale_nearest(scale - 1, place, 1.0f) : scale_bilinear(scale - 1, place, 1.0f);
+  if (fading == 1.0f) return coarse;
+  return lerp(fine, coarse, fading);
+}

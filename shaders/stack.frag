@@ -1,0 +1,28 @@
+// Draws a window of a stack of scales: its values, and the decisions of the scale that shows.
+uniform uvec2 origin_tile;    // as in reference.frag, in terms of the scale that shows
+uniform ivec2 origin_offset;
+uniform uint step_256;
+uniform ivec2 first_row;
+uniform int filter_kind;      // 0 nearest, 1 bilinear
+uniform int view_scale;       // the scale that shows
+uniform float fading;         // 0 ... 1: how far it has faded into the one before it
+uniform float variation;      // 0 ... 1: share of its variation that it still has
+
+layout(location = 0) out vec4 value;
+layout(location = 1) out uvec4 decided;  // patch idx, content, source texel of labels
+
+void main() {
+  uvec2 line = uvec2(gl_FragCoord.xy);
+  uvec2 pixel = uvec2(line.x, uint(first_row.x + first_row.y * int(line.y)));
+  Position origin;
+  origin.tile = origin_tile;
+  origin.offset = origin_offset;
+  use_scale(view_scale);
+  Position at = pixel_position(origin, step_256, pixel);
+
+  Texel texel = texel_at(at);
+  Decision decision = decide(texel);
+  Source source = source_of(texel, decision);
+  decided = uvec4(uint(decision.patch_idx), uint(decision.content), uint(source.nearest.x), uint(source.nearest.y));
+  value = stacked_value(view_scale, at, fading, variation, filter_kind);
+}

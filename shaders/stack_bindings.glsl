@@ -1,0 +1,24 @@
+// What a stack of scales reads, in place of bindings.glsl, as README.md specifies it under "Several scales". The planes of the scales
+// stand one below the other, their patches, contents and classes one after the other.
+uniform usampler2D patch_plane;     // RG16UI
+uniform isampler2D contents;        // RGBA32I
+uniform isampler2D centers;         // RGBA32I
+uniform sampler2D base;             // RGBA32F or RGBA16F
+uniform isampler2D fragment_plane;  // RGBA16I  way to the fragment's centre x, y; class of the fragment, of the texel
+uniform sampler2D local_mean;       // RGBA32F  where a scale subtracts a local mean
+uniform isampler2D scale_table;     // RGBA32I  2 x S   W, H, plane_row, first_patch; N_t, ratio, first_class, bits
+uniform sampler2D class_table;      // RGBA32F  K x 2   dominant colour, gain; taking, giving, 0, 0
+uniform sampler2D mean_table;       // RGBA32F  2 x S   mean of the dominant part; mean of the tile with its gains
+uniform int scale_count;            // S
+uniform uint stack_seed;
+uniform uvec4 nesting[8];           // of each scale a repetition near what is drawn: x, y; where its corner lies in the
+uniform ivec2 nesting_offset[8];    // scale before it: the repetition z, w there, and texels of this scale inside it
+// The scale in use.
+ivec2 tile_size;
+int plane_row;
+int first_patch;
+uint content_count;
+uint seed;
+int ratio;
+int first_class;
+int transfer_bits;

@@ -1,0 +1,54 @@
+#include "libbake/gl/stack_parity.h"
+
+#include <gtest/gtest.h>
+
+#include "gl_test_context.h"
+#include "tests/libbake/eval/small_stack.h"
+
+namespace texbake {
+namespace {
+
+class StackParity : public testing::TestWithParam<ShaderLanguage> {
+ protected:
+  void SetUp() override {
+    context_ = test_context(GetParam());
+    if (!context_) GTEST_SKIP() << "no OpenGL";
+  }
+  void expect_equal(const SmallStack& stack, int windows = 8) {
+    const ParityReport report = check_stack_parity(stack.planes(), *context_, {.windows = windows, .side = 128});
+    EXPECT_EQ(report.differing_decisions, 0u) << report.driver;
+    EXPECT_EQ(report.differing_bits, 0u) << report.driver;
+  }
+  std::unique_ptr<GlContext> context_;
+};
+
+TEST_P(StackParity, ColoursOfFragmentsDifferInNoBit) { expect_equal(two_scales({.ratio = 5}, Contents::turned)); }
+
+TEST_P(StackParity, ColoursOfTexelsDifferInNoBit) {
+  expect_equal(two_scales({.ratio = 16, .mode = TransferMode::texel, .detail_mean = DetailMean::local}));
+}
+
+TEST_P(StackParity, SoftlyTakenColoursDifferInNoBit) {
+  expect_equal(two_scales({.ratio = 7, .mode = TransferMode::bilinear}));
+}
+
+TEST_P(StackParity, WeightsAndGainsDifferInNoBit) {
+  expect_equal(two_scales({.ratio = 4,
+                           .variation = VariationFrom::fine,
+                           .weights = {0.3f, 1},
+                           .coarse_weights = {1, 0.7f},
+                           .detail_gains = {1.7f, 0.4f}},
+                          Contents::turned));
+}
+
+TEST_P(StackParity, ThreeScalesDifferInNoBit) {
+  SmallStack stack = two_scales({.ratio = 3}, Contents::turned);
+  stack.add(random_scale({48, 16}, 5, Contents::moved, 8), {.ratio = 6, .detail_mean = DetailMean::local});
+  expect_equal(stack, 14);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, StackParity,
+                         testing::Values(ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es));
+
+}  // namespace
+}  // namespace texbake
