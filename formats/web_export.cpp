@@ -93,6 +93,7 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   json["base"] = values_json(planes.base.texels, is_half);
   json["masks"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.masks);
   json["noise_tiles"] = values_json(planes.noise_tiles, is_half);
+  json["level_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.level_table);
   json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
   json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
   json["base_levels"] = values_json(planes.base.level_values, [](float value) { return std::abs(value) <= kMaxHalf; });

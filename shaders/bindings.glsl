@@ -16,7 +16,8 @@ uniform ivec2 deform_from;
 uniform uvec2 deform_to_tile;    // where its centre is taken from
 uniform ivec4 deform_to;         // texel x, y; 1/65536 texel x, y
 uniform ivec2 turbulence;        // amplitude in 1/256 texel, log2 of the cells' side in texels
-uniform usampler2D level_blocks;   // RG32UI    W x (H/2 or 3H/2)  first entry; idx | owner << 16 | entries that follow << 20
+uniform isampler2D level_table;    // RGBA32I   2 x (L + 1)  blocks.x, blocks.y, corner.x, corner.y; side_256.x, .y, shift.x, .y
+uniform usampler2D level_blocks;   // RG32UI    first entry; idx | owner << 16 | entries that follow << 20
 uniform usampler2D level_entries;  // RG16UI    4096 x n   idx, owner of each entry
 uniform sampler2D base_levels;     // RGBA32F   4096 x n   what each content of each entry shows, times its cover
 uniform int level_count;           // levels 1 ... level_count are there

@@ -1,11 +1,12 @@
 // Values of the infinite texture averaged over blocks of texels: levels of detail without bias, what lies between them,
 // and footprints that are longer than wide.
 // Based on: Lutz et al. 2019 (which patches lie under a block, and contents premultiplied by their cover of it).
-// Needs noise.glsl and, bound as README.md says, level_blocks, level_entries, level_count, first_level.
+// Needs noise.glsl and, bound as README.md says, level_table, level_blocks, level_entries,
+// level_count, first_level.
 //
 // `plane` is the base or a map, `kind` how its values change with their content (plane_kind in reference.frag, README.md §6), `values`
-// what every content of every patch shows in the blocks under it. A block of level l, 2^l x 2^l texels, is told by a
-// Texel that counts blocks: its repetition of the tile, and its place there, 0 ... (size >> l) - 1.
+// what every content of every patch shows in the blocks under it. A block of level l, about 2^l x 2^l texels, is told by
+// a Texel that counts blocks: its repetition of the tile, and its place there.
 
 // Points in a row, all at one level: what a pixel sees of a plane that it looks at slantingly.
 struct Probes {
@@ -41,61 +42,63 @@ vec4 shares_value(sampler2D values, uvec4 block, uvec2 tile) {
   return sum;
 }
 
-// A texel of the infinite texture. Where borders of patches are soft, those on them have shares; grain is weighed there
-// by the masks of the texel's own patch.
+// A texel of the infinite texture. Where borders of patches are soft, those on them have shares. Noise is added last.
 vec4 texel_value(sampler2D plane, int kind, sampler2D values, Texel at) {
+  bool has_noise = kind == 4 && noise_size > 0;
+  bool is_shared = first_level == 0 && (texelFetch(level_blocks, at.p, 0).y >> 20u) != 0u;
+  if (is_shared && !has_noise) return shares_value(values, texelFetch(level_blocks, at.p, 0), at.tile);
   Source source = source_of(at, decide(at));
-  if (first_level == 0) {
-    uvec4 block = texelFetch(level_blocks, ivec2(at.p.x, at.p.y + (tile_size.y >> 1)), 0);
-    if ((block.y >> 20u) != 0u) {
-      vec4 value = shares_value(values, block, at.tile);
-      if (kind == 4) return with_noise(value, source_weights(source), noise_place(at));
-      return value;
-    }
-  }
-  if (kind == 4) return layered_value(plane, at, source);
-  return kind_value(plane, kind, source);
+  vec4 value = is_shared ? shares_value(values, texelFetch(level_blocks, at.p, 0), at.tile)
+                         : kind_value(plane, kind, source);
+  if (has_noise) return with_noise(value, source_weights(source), noise_place(at));
+  return value;
 }
 
-// Where a level lies in level_blocks: level 1 on the left, the others below each other beside it.
-ivec2 level_corner(int level) {
-  if (level == 1) return ivec2(0, 0);
-  return ivec2(tile_size.x >> 1, (tile_size.y >> 1) - (tile_size.y >> (level - 1)));
+// How a level cuts the tile into blocks.
+struct Grid {
+  ivec2 blocks;    // on each axis of the tile
+  ivec2 corner;    // in level_blocks; texels have none: -1
+  ivec2 side_256;  // of a block, in 1/256 texel
+  ivec2 shift;     // side_256 = 2^shift, or 0 where it is no power of two
+};
+
+Grid grid_of(int level) {
+  Grid grid;
+  grid.blocks = tile_size;
+  grid.corner = ivec2(-1, -1);
+  grid.side_256 = ivec2(256, 256);
+  grid.shift = ivec2(8, 8);
+  if (level == 0) return grid;
+  ivec4 places = texelFetch(level_table, ivec2(0, level), 0);
+  ivec4 sides = texelFetch(level_table, ivec2(1, level), 0);
+  grid.blocks = ivec2(places.x, places.y);
+  grid.corner = ivec2(places.z, places.w);
+  grid.side_256 = ivec2(sides.x, sides.y);
+  grid.shift = ivec2(sides.z, sides.w);
+  return grid;
 }
 
-vec4 block_value(sampler2D plane, int kind, sampler2D values, Texel block, int level) {
-  if (level == 0) return texel_value(plane, kind, values, block);
-  ivec2 corner = level_corner(level);
-  uvec4 found = texelFetch(level_blocks, ivec2(corner.x + block.p.x, corner.y + block.p.y), 0);
+vec4 block_value(sampler2D plane, int kind, sampler2D values, Texel block, Grid grid) {
+  if (grid.corner.x < 0) return texel_value(plane, kind, values, block);
+  uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
   return shares_value(values, found, block.tile);
 }
 
-// A point, half a block up and left of `at`: it lies in the first of the four blocks whose centres surround `at`.
-Position first_center(Position at, int level) {
-  Position moved = at;
-  moved.offset = ivec2(at.offset.x - (128 << level), at.offset.y - (128 << level));
-  if (moved.offset.x < 0) {
-    moved.offset.x += tile_size.x * 256;
-    moved.tile.x -= 1u;
-  }
-  if (moved.offset.y < 0) {
-    moved.offset.y += tile_size.y * 256;
-    moved.tile.y -= 1u;
-  }
-  return moved;
+// The block in which a place lies, and how far into it, in 1/256 of its side. `place` >= 0 is in 1/256 texel.
+ivec2 block_and_fraction(int place, int side_256, int shift) {
+  if (shift > 0) return ivec2(place >> shift, (place >> (shift - 8)) & 255);
+  return ivec2(place / side_256, (place % side_256) * 256 / side_256);
 }
 
-// Block 0 ... 3 of the four: upper left, upper right, lower left, lower right.
-Texel surrounding_block(Position first, int level, int corner) {
-  Texel block;
-  block.tile = first.tile;
-  block.p = ivec2(first.offset.x >> (level + 8), first.offset.y >> (level + 8));
+// Block 0 ... 3 of the four about a point: upper left, which is `first`, upper right, lower left, lower right.
+Texel surrounding_block(Texel first, Grid grid, int corner) {
+  Texel block = first;
   if ((corner & 1) != 0) {
-    block.p.x = wrap_once(block.p.x + 1, tile_size.x >> level);
+    block.p.x = wrap_once(block.p.x + 1, grid.blocks.x);
     if (block.p.x == 0) block.tile.x += 1u;
   }
   if (corner > 1) {
-    block.p.y = wrap_once(block.p.y + 1, tile_size.y >> level);
+    block.p.y = wrap_once(block.p.y + 1, grid.blocks.y);
     if (block.p.y == 0) block.tile.y += 1u;
   }
   return block;
@@ -105,18 +108,33 @@ Texel surrounding_block(Position first, int level, int corner) {
 // Loops rather than calls side by side, here and below: drivers copy what a call does into every place that calls.
 vec4 level_value(sampler2D plane, int kind, sampler2D values, Position at, int level) {
   if (level > level_count) return texelFetch(values, ivec2(0, 0), 0);
-  Position first = first_center(at, level);
-  float across = weight_of((first.offset.x >> level) & 255);
+  Grid grid = grid_of(level);
+  // Half a block up and left of the point lies the first of the four.
+  int x = at.offset.x - (grid.side_256.x >> 1);
+  int y = at.offset.y - (grid.side_256.y >> 1);
+  Texel first;
+  first.tile = at.tile;
+  if (x < 0) {
+    x += tile_size.x * 256;
+    first.tile.x -= 1u;
+  }
+  if (y < 0) {
+    y += tile_size.y * 256;
+    first.tile.y -= 1u;
+  }
+  ivec2 across = block_and_fraction(x, grid.side_256.x, grid.shift.x);
+  ivec2 down = block_and_fraction(y, grid.side_256.y, grid.shift.y);
+  first.p = ivec2(across.x, down.x);
   vec4 left = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   vec4 upper = left;
   vec4 lower = left;
   for (int corner = 0; corner < 4; ++corner) {
-    vec4 value = block_value(plane, kind, values, surrounding_block(first, level, corner), level);
+    vec4 value = block_value(plane, kind, values, surrounding_block(first, grid, corner), grid);
     if ((corner & 1) == 0) left = value;
-    else if (corner == 1) upper = lerp(left, value, across);
-    else lower = lerp(left, value, across);
+    else if (corner == 1) upper = lerp(left, value, weight_of(across.y));
+    else lower = lerp(left, value, weight_of(across.y));
   }
-  return lerp(upper, lower, weight_of((first.offset.y >> level) & 255));
+  return lerp(upper, lower, weight_of(down.y));
 }
 
 // Between the two levels next to level_256 / 256, 0 ... level_count + 1.

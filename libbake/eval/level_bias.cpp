@@ -27,6 +27,13 @@ Image<V3d> halved(const Image<V3d>& finer) {
   return coarser;
 }
 
+/// Levels at which both sides are halved, as mip chains are.
+int halvings_of(V2i size) {
+  int count = 0;
+  while ((size.x | size.y) % (2 << count) == 0) ++count;
+  return count;
+}
+
 constexpr double kCodes = 255;
 
 /// In codes, so that a whole number of them stays one.
@@ -70,11 +77,11 @@ class Reader {
         kind_(plane_kind(plane.kind)) {
     mips_.push_back(Image<V3d>(planes.size.x, planes.size.y));
     for (size_t i = 0; i < mips_[0].size(); ++i) mips_[0].data()[i] = color_of(plane.texels.data()[i]);
-    for (int level = 1; level <= planes.level_count; ++level) mips_.push_back(halved(mips_.back()));
+    for (int level = 1; level <= halvings_of(planes.size); ++level) mips_.push_back(halved(mips_.back()));
   }
 
   V3d block(const Texel& block, int level) {
-    return color_of(program_.block_value(texels_, kind_, levels_, block, level));
+    return color_of(program_.block_value(texels_, kind_, levels_, block, program_.grid_of(level)));
   }
 
   /// The tile's own box mean, between the four nearest, where the content of the block's centre is taken from.
@@ -101,7 +108,7 @@ class Reader {
     Image<V3d> codes = truth.clone();
     for (V3d& c : codes) c *= kCodes;
     truncate(codes);
-    for (int level = 1; level <= planes_.level_count; ++level) {
+    for (int level = 1; level <= halvings_of(planes_.size); ++level) {
       truth = halved(truth);
       codes = halved(codes);
       truncate(codes);
@@ -134,7 +141,7 @@ class Reader {
 }  // namespace
 
 std::vector<LevelBias> level_biases(const EvaluatorPlanes& planes, const Plane& plane, uint32_t seed, int repetitions) {
-  std::vector<LevelSums> sums(static_cast<size_t>(planes.level_count));
+  std::vector<LevelSums> sums(static_cast<size_t>(halvings_of(planes.size)));
   Reader reader(planes, plane, seed);
   for (uint32_t y = 0; y < static_cast<uint32_t>(repetitions); ++y)
     for (uint32_t x = 0; x < static_cast<uint32_t>(repetitions); ++x) reader.add({x, y}, sums);

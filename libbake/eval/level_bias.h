@@ -23,7 +23,8 @@ struct LevelBias {
   LevelError truncated;  ///< box means of box means, each rounded down to a 255th, as 8-bit mip chains are made
 };
 
-/// Levels 1 … of `plane`, whose levels were added, over `repetitions` × `repetitions` of the tile.
+/// Levels 1 … of `plane`, whose levels were added, while both sides are halved, over `repetitions` × `repetitions` of
+/// the tile.
 std::vector<LevelBias> level_biases(const EvaluatorPlanes& planes, const Plane& plane, uint32_t seed, int repetitions);
 
 }  // namespace texbake

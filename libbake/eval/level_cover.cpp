@@ -27,16 +27,17 @@ LevelCover texel_cover(ImageView<const PatchTexel> patch_plane) {
   return cover;
 }
 
-LevelCover halved(const LevelCover& finer) {
-  LevelCover cover{{finer.size.x / 2, finer.size.y / 2}, {0}, {}};
+LevelCover coarsened(const LevelCover& finer, V2i size) {
+  LevelCover cover{size, {0}, {}};
+  const V2i children(finer.size.x / size.x, finer.size.y / size.y);
   std::vector<std::vector<PatchTexel>> rows(static_cast<size_t>(cover.size.y));
   std::vector<std::vector<uint32_t>> counts(rows.size());
   parallel_for(0, cover.size.y, [&](int y) {
     auto& row = rows[static_cast<size_t>(y)];
     for (int x = 0; x < cover.size.x; ++x) {
       const size_t begin = row.size();
-      for (const V2i& child : {V2i(0, 0), V2i(1, 0), V2i(0, 1), V2i(1, 1)})
-        unite(row, begin, finer.at(2 * x + child.x, 2 * y + child.y));
+      for (int j = 0; j < children.y; ++j)
+        for (int i = 0; i < children.x; ++i) unite(row, begin, finer.at(x * children.x + i, y * children.y + j));
       counts[static_cast<size_t>(y)].push_back(static_cast<uint32_t>(row.size() - begin));
     }
   });

@@ -29,7 +29,7 @@ struct LevelCover {
 /// Level 0: one patch for each texel.
 LevelCover texel_cover(ImageView<const glsl::PatchTexel> patch_plane);
 
-/// The next level; both sides of `finer` are even.
-LevelCover halved(const LevelCover& finer);
+/// A coarser level of `size` blocks, which divide those of `finer`.
+LevelCover coarsened(const LevelCover& finer, V2i size);
 
 }  // namespace texbake

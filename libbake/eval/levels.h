@@ -1,20 +1,17 @@
 // Levels of detail of the infinite texture, without bias: what each content of each patch shows, averaged over blocks
-// of 2^l × 2^l texels and premultiplied by the patch's cover of the block. A value of level l is the sum of one share
-// for each patch that lies under the block, and equals the box mean of the infinite texture there. Based on: Lutz et
-// al. 2019, Anisotropic Filtering for On-the-fly Patch-based Texturing. Layout: shaders/README.md §2.
+// of about 2^l × 2^l texels and premultiplied by the patch's cover of the block. A value of level l is the sum of one
+// share for each patch that lies under the block, and equals the box mean of the infinite texture there. Based on: Lutz
+// et al. 2019, Anisotropic Filtering for On-the-fly Patch-based Texturing. Layout: shaders/README.md §12.
 #pragma once
 
 #include "libbake/eval/prepare.h"
 
 namespace texbake {
 
-/// Levels of a tile: l = 1, 2, … while 2^l divides both sides.
-int level_count_of(V2i tile_size);
-
 /// Adds the levels of `plane`, the base or a map of `planes`, and the lists of patches that all planes
-/// share. A share of level l + 1 is the sum of those of its four blocks (upper left, upper right, lower
-/// left, lower right) times ¼, in float; one of level 1 the same of texels as the evaluator shows them, so normals are
-/// turned and heights scaled. Throws Error(infeasible) when there are 2^32 values or more.
+/// share (level_lists.h). A share of a block is the mean, in double and rounded once to float, of those of the finer
+/// blocks that it consists of; of a texel it is what the evaluator shows, so normals are turned and heights scaled.
+/// Throws Error(infeasible) when there are 2^32 values or more.
 void add_levels(EvaluatorPlanes& planes, const Plane& plane);
 
 /// The same of the base and all maps.

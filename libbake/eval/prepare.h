@@ -51,7 +51,7 @@ struct EvaluatorInput {
   const PrincipalVariation* colors = nullptr;
   std::vector<MapInput> maps;
   std::optional<NoiseInput> noise = {};  ///< added to the base, which is then the structure
-  int soft_border_px = 0;  ///< over how many texels on either side of their border patches blend; 0: hard
+  int soft_border_px = 0;                ///< over how many texels on either side of their border patches blend; 0: hard
 };
 
 /// The widest soft border of a tile.
@@ -84,6 +84,7 @@ struct EvaluatorPlanes {
   int level_count = 0;     ///< levels of detail beside level 0; 0 until add_levels
   int first_level = 1;     ///< 0 where borders of patches are soft
   int soft_border_px = 0;  ///< as in EvaluatorInput
+  Image<glsl::ivec4> level_table;
   Image<glsl::LevelBlock> level_blocks;
   Image<glsl::PatchTexel> level_entries;
 

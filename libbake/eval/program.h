@@ -15,6 +15,7 @@ struct Program {
   Sampler<MaskTexel> masks;
   sampler2D noise_tiles;
   int noise_size = 0;
+  isampler2D level_table;
   Sampler<LevelBlock> level_blocks;
   usampler2D level_entries;
   int level_count = 0;
@@ -75,5 +76,6 @@ using Source = Program::Source;
 using Position = Program::Position;
 using Footprint = Program::Footprint;
 using Probes = Program::Probes;
+using Grid = Program::Grid;
 
 }  // namespace texbake::glsl

@@ -22,6 +22,7 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   program.masks = sampler_of(planes.masks);
   program.noise_tiles = sampler_of(planes.noise_tiles);
   program.noise_size = planes.noise_size;
+  program.level_table = sampler_of(planes.level_table);
   program.level_blocks = sampler_of(planes.level_blocks);
   program.level_entries = sampler_of(planes.level_entries);
   program.level_count = planes.level_count;

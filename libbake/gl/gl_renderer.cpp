@@ -4,14 +4,24 @@
 #include <optional>
 
 #include "libbake/eval/perspective_program.h"
-#include "libbake/eval/program_of.h"
 #include "libbake/gl/gl_objects.h"
 
 namespace texbake {
 namespace {
 
 /// Texture units, in the order of shaders/bindings.glsl.
-enum Unit { kPatchPlane, kContents, kCenters, kBase, kMasks, kNoiseTiles, kLevelBlocks, kLevelEntries, kBaseLevels };
+enum Unit {
+  kPatchPlane,
+  kContents,
+  kCenters,
+  kBase,
+  kMasks,
+  kNoiseTiles,
+  kLevelTable,
+  kLevelBlocks,
+  kLevelEntries,
+  kBaseLevels
+};
 
 /// One texel of zeros stands for what a bundle lacks.
 template <class T>
@@ -27,7 +37,7 @@ struct GlRenderer::State {
   const GlFunctions& gl;
   const EvaluatorPlanes& planes;
   GlProgram program;
-  GlTexture patch_plane, contents, centers, masks, noise_tiles, level_blocks, level_entries;
+  GlTexture patch_plane, contents, centers, masks, noise_tiles, level_table, level_blocks, level_entries;
   std::map<const Plane*, std::pair<GlTexture, GlTexture>> values;  ///< texels and levels, uploaded when first drawn
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
@@ -41,6 +51,7 @@ struct GlRenderer::State {
         centers(upload(gl, kRgba32i, planes.centers)),
         masks(upload(gl, kRgba16ui, planes.masks)),
         noise_tiles(upload(gl, kRgba32f, planes.noise_tiles)),
+        level_table(upload(gl, kRgba32i, planes.level_table)),
         level_blocks(upload(gl, kRg32ui, planes.level_blocks)),
         level_entries(upload(gl, kRg16ui, planes.level_entries)) {
     gl.GenVertexArrays(1, &vertex_array);
@@ -60,18 +71,20 @@ struct GlRenderer::State {
     contents.bind(kContents);
     centers.bind(kCenters);
     texels.bind(kBase);
-    levels.bind(kBaseLevels);
     masks.bind(kMasks);
     noise_tiles.bind(kNoiseTiles);
+    levels.bind(kBaseLevels);
+    level_table.bind(kLevelTable);
     level_blocks.bind(kLevelBlocks);
     level_entries.bind(kLevelEntries);
     gl.Uniform1i(program.uniform("patch_plane"), kPatchPlane);
     gl.Uniform1i(program.uniform("contents"), kContents);
     gl.Uniform1i(program.uniform("centers"), kCenters);
     gl.Uniform1i(program.uniform("base"), kBase);
-    gl.Uniform1i(program.uniform("base_levels"), kBaseLevels);
     gl.Uniform1i(program.uniform("masks"), kMasks);
     gl.Uniform1i(program.uniform("noise_tiles"), kNoiseTiles);
+    gl.Uniform1i(program.uniform("base_levels"), kBaseLevels);
+    gl.Uniform1i(program.uniform("level_table"), kLevelTable);
     gl.Uniform1i(program.uniform("level_blocks"), kLevelBlocks);
     gl.Uniform1i(program.uniform("level_entries"), kLevelEntries);
   }
@@ -152,8 +165,8 @@ void GlRenderer::draw_only(const Window& window, const Plane& plane) {
   check_window(window, s.planes.size);
   s.begin(window.width, window.height, plane);
   s.set_tile(plane.kind, window.seed, 0);
-  s.set_deformation(window, &plane == &s.planes.base);
   s.set_origin(window.origin_x, window.origin_y);
+  s.set_deformation(window, &plane == &s.planes.base);
   s.set_view(window);
   s.draw();
 }

@@ -1,11 +1,11 @@
 // Writes the golden evaluation vectors, computed by the slow painter of the tests, never by the evaluator.
 // usage: regenerate_golden FOLDER. A file of the same semantics that would change is left alone: exit 1.
+#include <bit>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "libbake/eval/levels.h"
 #include "tests/libbake/eval/level_painter.h"
 
 namespace texbake {
@@ -78,7 +78,7 @@ Step step_of(Random& random, int levels) {
 
 /// The points with the trilinear filter beside.
 Json leveled_json(const SmallTile& tile, const Point& point, Random& random) {
-  const Step step = step_of(random, level_count_of(tile.size()));
+  const Step step = step_of(random, std::countr_zero(static_cast<uint32_t>(tile.size().x | tile.size().y)));
   Json json = point_json(tile, point);
   json["step_256"] = step.step_256;
   json["level_256"] = step.level_256;

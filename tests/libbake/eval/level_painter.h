@@ -67,9 +67,9 @@ class LevelPainter {
 
   V3f share(const Painting& painting, const Shape& shape, V2i p, int side) const {
     if (side == 1) return shape_at(painting, p) == shape ? painting.color(p.x, p.y) : V3f(0);
-    V3f sum(0);
-    for (int i = 0; i < 4; ++i) sum += share(painting, shape, quarter(p, side / 2, i), side / 2);
-    return sum * 0.25f;
+    Imath::V3d sum(0);
+    for (int i = 0; i < 4; ++i) sum += Imath::V3d(share(painting, shape, quarter(p, side / 2, i), side / 2));
+    return V3f(sum / 4.0);
   }
 
   V3f bilinear(int64_t x_256, int64_t y_256, int level) const {
