@@ -10,8 +10,8 @@ namespace texbake {
 namespace {
 
 /// The exemplar, rounded to what the bundle stores, so that this stage and the next see the same values.
-Image<V3f> half_exact_tile(const TilePlan& plan, ImageView<const V3f> source) {
-  Image<V3f> tile = apply(plan, source);
+Image<V3f> half_exact_tile(const TilePlan& plan, const FlattenOptions& options, ImageView<const V3f> source) {
+  Image<V3f> tile = flatten(apply(plan, source), options);
   for (V3f& texel : tile) texel = half_exact(texel);
   return tile;
 }
@@ -67,6 +67,7 @@ Json parameters_of(const ConvertRequest& asked, const ConvertRequest& effective)
   Json parameters = Json::object();
   add_parameters(parameters, asked.import, effective.import);
   add_parameters(parameters, asked.periodic, effective.periodic);
+  add_parameters(parameters, asked.flatten, effective.flatten);
   add_parameters(parameters, asked.convert, effective.convert);
   add_parameters(parameters, asked.storage, effective.storage);
   return parameters;
@@ -103,7 +104,7 @@ Bundle run_convert(const ConvertRequest& request, Console& console) {
   const TilePlan plan = plan_tile(source, request.periodic);
   tell_of_tile(plan, material.color.name, console);
   Scale scale;
-  scale.exemplar = half_exact_tile(plan, source);
+  scale.exemplar = half_exact_tile(plan, request.flatten, source);
   if (plan.is_cut()) scale.tile_from_source = plan.tile_from_source();
   add_maps(scale, request, plan, material, console);
 

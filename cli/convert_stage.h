@@ -3,6 +3,7 @@
 
 #include "cli/material.h"
 #include "libbake/color/convert.h"
+#include "libbake/color/flatten.h"
 #include "libbake/color/periodic.h"
 
 namespace texbake {
@@ -32,6 +33,7 @@ struct ConvertRequest {
   MaterialFiles files;
   ImportOptions import;
   PeriodicOptions periodic;
+  FlattenOptions flatten;
   ConvertOptions convert;
   StorageOptions storage;
 };
@@ -41,6 +43,7 @@ template <class Request, class Visit>
 void for_each_options(Request& request, const Visit& visit) {
   visit(request.import);
   visit(request.periodic);
+  visit(request.flatten);
   visit(request.convert);
   visit(request.storage);
 }

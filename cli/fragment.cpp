@@ -1,12 +1,23 @@
 // texbake fragment: bundle → bundle with fragments.
 #include "cli/stage_command.h"
 #include "cli/stages.h"
+#include "libbake/report/choice_sheets.h"
 
 namespace texbake {
+namespace {
+
+Sheet sheet(const Bundle& bundle, const FragmentOptions& options, const Progress& progress) {
+  const Scale& scale = bundle.scales.front();
+  return fragment_sheet(*scale.colors, scale.base(), options, progress);
+}
+
+}  // namespace
 
 Command fragment_command() {
   return stage_command<FragmentOptions>("fragment", "bundle → bundle: small regions of one colour class",
-                                        "  texbake fragment leaves.texbundle --threshold 20", run_fragment);
+                                        "  texbake fragment leaves.texbundle --threshold 20\n"
+                                        "  texbake fragment leaves.texbundle --sheet fragments.png",
+                                        run_fragment, sheet);
 }
 
 }  // namespace texbake

@@ -7,6 +7,7 @@
 #include "cli/bundle_path.h"
 #include "cli/command.h"
 #include "cli/option_flags.h"
+#include "cli/sheets.h"
 
 namespace texbake {
 
@@ -28,21 +29,29 @@ Outcome change_bundle(const BundlePaths& paths, const std::string& verb, Console
 /// What a verb that has written a bundle says: its path for people, path and record of stages for programs.
 Outcome written_bundle(const std::string& path, const std::vector<Stage>& stages);
 
-/// A verb whose whole work is `run`, a function of cli/stages.h.
+/// A verb whose whole work is `run`, a function of cli/stages.h. `sheet` draws what the options of a bundle may be set
+/// to; nullptr for a verb without --sheet.
 template <class Options>
 Command stage_command(const std::string& verb, const std::string& summary, const std::string& example,
-                      void (*run)(Bundle&, const Options&, Console&)) {
+                      void (*run)(Bundle&, const Options&, Console&),
+                      Sheet (*sheet)(const Bundle&, const Options&, const Progress&) = nullptr) {
   struct Request {
     BundlePaths paths;
     Options options;
+    std::string sheet;
   };
-  const auto declare = [verb, run](CLI::App& app) -> Action {
+  const auto declare = [verb, run, sheet](CLI::App& app) -> Action {
     const auto request = std::make_shared<Request>();
     add_bundle_paths(app, request->paths);
     add_flags(app, request->options, "Options");
-    return [verb, run, request](Console& console) {
-      return change_bundle(request->paths, verb, console,
-                           [&](Bundle& bundle) { run(bundle, request->options, console); });
+    if (sheet) add_sheet_flag(app, request->sheet);
+    return [verb, run, sheet, request](Console& console) {
+      check_sheet(request->sheet);
+      return change_bundle(request->paths, verb, console, [&](Bundle& bundle) {
+        run(bundle, request->options, console);
+        if (!request->sheet.empty())
+          write_sheet(request->sheet, sheet(bundle, request->options, console.step("sheet")));
+      });
     };
   };
   return {verb, summary, example, declare};

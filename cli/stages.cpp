@@ -45,12 +45,19 @@ void warn_of_low_contrast(const ContrastReport& contrast, Console& console) {
 }
 
 Json content_figures(const SelectContentsFigures& figures) {
-  return {{"contentClasses", figures.content_classes},  {"saliencyThreshold", figures.saliency_threshold},
-          {"salientShare", figures.salient_share},      {"bestImpact", figures.best_impact},
-          {"meanImpact", figures.mean_impact},          {"worstImpact", figures.worst_impact},
-          {"meanPairImpact", figures.mean_pair_impact}, {"worstPairImpact", figures.worst_pair_impact},
-          {"repetitionNear", figures.repetition_near},  {"repetitionFar", figures.repetition_far},
-          {"useDeviation", figures.use_deviation},      {"computedShare", figures.computed_share}};
+  return {{"contentClasses", figures.content_classes},
+          {"saliencyThreshold", figures.saliency_threshold},
+          {"salientShare", figures.salient_share},
+          {"bestImpact", figures.best_impact},
+          {"meanImpact", figures.mean_impact},
+          {"worstImpact", figures.worst_impact},
+          {"meanPairImpact", figures.mean_pair_impact},
+          {"worstPairImpact", figures.worst_pair_impact},
+          {"repetitionNear", figures.repetition_near},
+          {"repetitionFar", figures.repetition_far},
+          {"useDeviation", figures.use_deviation},
+          {"computedShare", figures.computed_share},
+          {"latticeCorrelation", figures.lattice_correlation}};
 }
 
 void check_soft_border(int width_px, V2i tile_size) {
@@ -91,8 +98,8 @@ void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, C
   const PatchMap& patches = required(scale.patches, "patches", "patch");
   RunningStage stage(bundle, "select-contents", console);
   check_soft_border(options.soft_border_px, scale.size());
-  const SelectContentsOptions suited =
-      scale.structure && options.search != Search::exact ? deforming(options) : options;
+  const bool may_deform = options.search != Search::exact && options.lattice == LatticeUse::never;
+  const SelectContentsOptions suited = scale.structure && may_deform ? deforming(options) : options;
   ContentSelection selection = select_contents(colors, scale.base(), patches, suited, stage.progress());
   scale.contents = std::move(selection.table);
   scale.soft_border_px = options.soft_border_px;

@@ -31,7 +31,8 @@ cd "$out"
 "$texbake" bake leaves.png -o leaves.texbundle
 "$texbake" render leaves.texbundle -o leaves_4096.png --size 4096x4096
 
-"$texbake" bake bricks.png -o bricks.texbundle
+# Bricks keep their bond: contents move along the wall's own lattice.
+"$texbake" bake bricks.png --select-contents-lattice auto -o bricks.texbundle
 "$texbake" render bricks.texbundle -o bricks_4096.png --size 4096x4096
 
 # Two layers. As Guingo et al. 2017, Fig. 9: contents exchanged in one layer; exchanged, turned and shrunk beneath grain
@@ -44,7 +45,10 @@ for layers in 1 2; do
     --rotate 20 --stretch 3,1.5 --turbulence 16
 done
 
-for bundle in *.texbundle; do "$texbake" verify "$bundle"; done
+for bundle in *.texbundle; do
+  "$texbake" verify "$bundle"
+  "$texbake" report "$bundle" --quick -o "${bundle%.texbundle}_report.html"
+done
 echo
-echo "The exemplars, the bundles and the pictures of the endless textures are in $out:"
+echo "The exemplars, the bundles, the pictures of the endless textures and the reports (.html) are in $out:"
 ls -1 "$out"

@@ -36,6 +36,15 @@ class NearTranslations {
   int separation_px_;
 };
 
+// Whether a translation of the group at `first` may be used.
+bool any_allowed(V2i first, ImageView<const uint8_t> allowed) {
+  if (allowed.empty()) return true;
+  for (int y = first.y; y < std::min(first.y + kGroupRows, allowed.height()); ++y)
+    for (int x = first.x; x < std::min(first.x + kGroupWidth, allowed.width()); ++x)
+      if (allowed(x, y)) return true;
+  return false;
+}
+
 }  // namespace
 
 bool far_enough(V2i a, V2i b, V2i size, int separation_px) {
@@ -59,12 +68,14 @@ Candidates take_separated(Candidates found, V2i size, const SearchRequest& reque
 
 SearchResult search_contents(ImageView<const uint8_t> classes, const ClassDistances& distances,
                              const PatchBorders& borders, const SearchRequest& request, const Progress& progress) {
-  // All groups of translations, column by column: those of a batch lie below each other.
+  // All groups of translations with an allowed one, column by column: those of a batch lie below each other.
   const int groups_x = (classes.width() + kGroupWidth - 1) / kGroupWidth;
   const int groups_y = (classes.height() + kGroupRows - 1) / kGroupRows;
   std::vector<GroupTask> tasks;
-  for (const int g : scattered_batches(groups_x * groups_y))
-    tasks.push_back({{g / groups_y * kGroupWidth, g % groups_y * kGroupRows}, {}});
+  for (const int g : scattered_batches(groups_x * groups_y)) {
+    const V2i first(g / groups_y * kGroupWidth, g % groups_y * kGroupRows);
+    if (any_allowed(first, request.allowed)) tasks.push_back({first, {}});
+  }
 
   SearchResult result = GroupSearch(classes, distances, borders).run(tasks, request, progress);
   const size_t texels = std::accumulate(borders.texel_counts.begin(), borders.texel_counts.end(), size_t{0});

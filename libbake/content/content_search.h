@@ -23,8 +23,9 @@ struct Candidate {
 using Candidates = std::vector<Candidate>;
 
 struct SearchRequest {
-  int count = 60;          ///< candidates wanted for each patch
-  int separation_px = 16;  ///< least distance, see far_enough
+  int count = 60;                         ///< candidates wanted for each patch
+  int separation_px = 16;                 ///< least distance, see far_enough
+  ImageView<const uint8_t> allowed = {};  ///< by translation, 0 … size−1: 0 for those to leave out; empty: none
 };
 
 struct SearchResult {
@@ -40,8 +41,8 @@ bool far_enough(V2i a, V2i b, V2i size, int separation_px);
 /// before, up to `request.count`.
 Candidates take_separated(Candidates found, V2i size, const SearchRequest& request);
 
-/// take_separated of all width × height translations, without computing all of their errors: a sum of E never falls,
-/// so a translation is given up once its sum passes that of the last candidate.
+/// take_separated of all width × height translations that are allowed, without computing all of their errors: a sum of
+/// E never falls, so a translation is given up once its sum passes that of the last candidate.
 SearchResult search_contents(ImageView<const uint8_t> classes, const ClassDistances& distances,
                              const PatchBorders& borders, const SearchRequest& request, const Progress& progress = {});
 

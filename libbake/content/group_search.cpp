@@ -85,7 +85,8 @@ class Rounds {
 
   static V2i translation(V2i first, int lane) { return first + V2i(lane % kGroupWidth, lane / kGroupWidth); }
 
-  // Translations beyond the borders, which only fill the lanes, and those near the identity take no part.
+  // Translations beyond the borders, which only fill the lanes, those near the identity, and those that are not allowed
+  // take no part.
   GroupSums start(const GroupTask& task) const {
     GroupSums group;
     group.translation = task.translation;
@@ -94,7 +95,8 @@ class Rounds {
     for (size_t patch = 0; patch < open_.size(); ++patch)
       for (int lane = 0; lane < kGroupSize; ++lane) {
         const V2i t = translation(task.translation, lane);
-        const bool allowed = t.x < size_.x && t.y < size_.y && far_enough(t, {0, 0}, size_, request_.separation_px);
+        const bool allowed = t.x < size_.x && t.y < size_.y && far_enough(t, {0, 0}, size_, request_.separation_px) &&
+                             (request_.allowed.empty() || request_.allowed(t.x, t.y));
         group.sums.push_back(allowed ? 0 : kExcluded);
       }
     return group;

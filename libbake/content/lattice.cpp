@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <cstdint>
 #include <cstdlib>
 
 #include "libbake/base/fft.h"
@@ -14,6 +15,7 @@ namespace {
 constexpr double kHighPassDivisor = 16;  // of the shorter side
 constexpr double kLeastPeak = 0.15;
 constexpr double kPeakShare = 0.4;
+constexpr double kStrongShare = 0.8;
 constexpr size_t kLeastPeaks = 6;  // a peak and its mirror are two
 constexpr int kPeakRadius = 4;  // a peak is the greatest value this far around; at least twice this from the identity
 
@@ -64,6 +66,46 @@ std::vector<Peak> peaks_above(ImageView<const double> correlation, double least)
   return peaks;
 }
 
+int64_t squared_length(V2i t) { return int64_t{t.x} * t.x + int64_t{t.y} * t.y; }
+
+// Whether two translations point in directions more than about 17 degrees apart.
+bool spans(V2i a, V2i b) {
+  const auto cross = static_cast<double>(int64_t{a.x} * b.y - int64_t{a.y} * b.x);
+  return cross * cross > 0.09 * static_cast<double>(squared_length(a)) * static_cast<double>(squared_length(b));
+}
+
+// The shortest of the strongest peaks (first of `peaks`, by falling value) that `fits`; the identity where none does.
+template <class Fits>
+V2i shortest_of_strongest(const std::vector<Peak>& peaks, const Fits& fits) {
+  V2i found(0, 0);
+  double strongest = 0.0;
+  for (const Peak& peak : peaks) {
+    if (!fits(peak.translation) || peak.value < kStrongShare * strongest) continue;
+    strongest = std::max(strongest, peak.value);
+    if (found == V2i(0, 0) || squared_length(peak.translation) < squared_length(found)) found = peak.translation;
+  }
+  return found;
+}
+
+// The peaks that steps of ±a and ±b lead to from the identity, each step to a peak at most kPeakRadius off: real
+// patterns drift.
+std::vector<V2i> reached_peaks(const std::vector<Peak>& peaks, V2i a, V2i b, V2i size) {
+  std::vector<uint8_t> taken(peaks.size());
+  std::vector<V2i> reached{V2i(0, 0)};
+  for (size_t next = 0; next < reached.size(); ++next)
+    for (const V2i& step : {a, -a, b, -b})
+      for (size_t i = 0; i < peaks.size(); ++i) {
+        const V2i off = shortest(peaks[i].translation - reached[next] - step, size);
+        if (taken[i] || std::max(std::abs(off.x), std::abs(off.y)) > kPeakRadius) continue;
+        taken[i] = 1;
+        reached.push_back(peaks[i].translation);
+      }
+  std::vector<V2i> translations;
+  for (size_t i = 0; i < peaks.size(); ++i)
+    if (taken[i]) translations.push_back(peaks[i].translation);
+  return translations;
+}
+
 }  // namespace
 
 std::optional<Lattice> find_lattice(ImageView<const V3f> luv) {
@@ -71,11 +113,15 @@ std::optional<Lattice> find_lattice(ImageView<const V3f> luv) {
   const Image<double> correlation = autocorrelation(luv);
   std::vector<Peak> peaks = peaks_above(correlation, kLeastPeak);
   if (peaks.empty()) return std::nullopt;
+
+  // Two short steps between strong peaks, and all peaks that they lead to.
   peaks = peaks_above(correlation, kPeakShare * peaks.front().value);
-  if (peaks.size() < kLeastPeaks) return std::nullopt;
+  const V2i a = shortest_of_strongest(peaks, [](V2i) { return true; });
+  const V2i b = shortest_of_strongest(peaks, [&](V2i t) { return spans(a, t); });
   Lattice lattice;
   lattice.correlation = peaks.front().value;
-  for (const Peak& peak : peaks) lattice.translations.push_back(peak.translation);
+  lattice.translations = reached_peaks(peaks, a, b, {luv.width(), luv.height()});
+  if (b == V2i(0, 0) || lattice.translations.size() < kLeastPeaks) return std::nullopt;
   return lattice;
 }
 

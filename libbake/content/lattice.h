@@ -18,9 +18,9 @@ struct Lattice {
 
 /// The lattice of a tile in CIELUV, or nothing where it shows none. The tile is high-passed first (a Gaussian of 1/16
 /// of the shorter side is taken away), so that shading makes no peaks. It shows a lattice where its autocorrelation has
-/// a peak of at least 0.15 and, at 0.4 of that and above, at least three pairs of peaks: one repeated detail, as left
-/// by retouching, makes a single pair. On fourteen photographs bricks (0.27) and a weave (0.82) have a lattice; the
-/// others stay below 0.12 or have one pair.
+/// a peak of at least 0.15 and at least three pairs of peaks of 0.4 of that and above can be reached from the identity
+/// by steps along two of them: one repeated detail, as left by retouching, makes a single pair. On fourteen photographs
+/// bricks (0.27) and a weave (0.82) have a lattice; the others stay below 0.12 or have one pair.
 std::optional<Lattice> find_lattice(ImageView<const V3f> luv);
 
 /// Which translations lie within `radius_px` (Chebyshev) of one of the lattice: 1, else 0. By translation, 0 … size−1.

@@ -10,6 +10,7 @@
 #include "libbake/content/choice_figures.h"
 #include "libbake/content/content_classes.h"
 #include "libbake/content/content_search.h"
+#include "libbake/content/lattice.h"
 #include "libbake/content/pair_impact.h"
 #include "libbake/content/refined_search.h"
 #include "libbake/content/turned_search.h"
@@ -28,9 +29,18 @@ constexpr int kSeparationDivisor = 16;
 constexpr int kStructureRotations = 2;
 constexpr int kStructureScales = 3;
 
+// Bricks of a wall differ in place by a texel or two: the seams decide there.
+constexpr int kLatticeRadius = 2;
+
 SearchResult search(const ContentClasses& classes, const ClassDistances& distances, const Partition& patches,
-                    const Turns& turns, const SelectContentsOptions& options, const Progress& progress) {
-  const SearchRequest request{*options.candidates, *options.separation_px};
+                    const Turns& turns, const std::optional<Lattice>& lattice, const SelectContentsOptions& options,
+                    const Progress& progress) {
+  SearchRequest request{*options.candidates, *options.separation_px, {}};
+  if (lattice) {  // few translations are left: all of them are searched, whatever the size of the tile
+    const Image<uint8_t> allowed = near_lattice(*lattice, patches.size(), kLatticeRadius);
+    request.allowed = allowed;
+    return search_contents(classes.idx, distances, patch_borders(patches.idx, patches.count()), request, progress);
+  }
   if (turns.size() > 1) return search_contents_turned(classes.idx, distances, patches, turns, request, progress);
   if (*options.search == Search::refined)
     return search_contents_refined(classes.idx, distances, patches.idx, patches.count(), request, progress);
@@ -106,6 +116,9 @@ SelectContentsOptions resolve(const SelectContentsOptions& options, int width, i
   if (std::popcount(static_cast<unsigned>(*effective.rotations)) != 1)
     throw Error(ErrorKind::usage, fmt::format("--rotations: expected 1, 2, 4 or 8, found {}", *effective.rotations));
   const bool is_turned = *effective.rotations > 1 || *effective.scales > 1;
+  if (is_turned && options.lattice != LatticeUse::never)
+    throw Error(ErrorKind::usage,
+                "--lattice auto: expected no --rotations and --scales, which leave a lattice; found one of them");
   if (is_turned && options.search == Search::exact)
     throw Error(ErrorKind::usage,
                 "--search exact: expected refined with --rotations and --scales, of which only the "
@@ -143,7 +156,10 @@ ContentSelection select_contents(const PrincipalVariation& colors, ImageView<con
   ChosenCandidates chosen(candidates.size());
   if (wanted > 0) {
     const Turns turns = make_turns(*result.effective.rotations, *result.effective.scales, options.min_scale);
-    const SearchResult found = search(classes, distances, partition, turns, result.effective,
+    std::optional<Lattice> lattice;
+    if (options.lattice == LatticeUse::automatic) lattice = find_lattice(luv);
+    if (lattice) result.figures.lattice_correlation = lattice->correlation;
+    const SearchResult found = search(classes, distances, partition, turns, lattice, result.effective,
                                       [&](double done) { report(progress, 0.9 * done); });
     check_enough(found.candidates, wanted, result.effective);
     if (found.all_error_count > 0)

@@ -32,6 +32,17 @@ struct EnumNames<Search> {
                                                                    {Search::refined, "refined"}};
 };
 
+/// Whether translations keep to the texture's own lattice (lattice.h).
+enum class LatticeUse {
+  never,
+  automatic,  ///< where the autocorrelation shows one
+};
+template <>
+struct EnumNames<LatticeUse> {
+  static constexpr std::pair<LatticeUse, std::string_view> values[] = {{LatticeUse::never, "never"},
+                                                                       {LatticeUse::automatic, "auto"}};
+};
+
 struct SelectContentsOptions {
   int count = 5;  ///< N_t
   std::optional<int> candidates{};
@@ -41,6 +52,7 @@ struct SelectContentsOptions {
   std::optional<int> rotations{};
   std::optional<int> scales{};
   float min_scale = 0.5f;
+  LatticeUse lattice = LatticeUse::never;
   uint32_t seed = 1;
   int soft_border_px = 0;  ///< travels with the contents; the search does not read it
 
@@ -80,6 +92,9 @@ struct SelectContentsOptions {
                              .help = "contents may be shown smaller",
                              .auto_help = "1, but 3 on a structure"});
     visit(self.min_scale, Field{.name = "min-scale", .min = 0.5, .max = 1, .help = "the smallest of several sizes"});
+    visit(self.lattice, Field{.name = "lattice",
+                              .help = "auto: where bricks or a weave show a lattice, contents move along it alone; "
+                                      "without rotations and scales"});
     visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the joint choice"});
     visit(self.soft_border_px, Field{.name = "soft-border",
                                      .unit = "px",
@@ -102,8 +117,9 @@ struct SelectContentsFigures {
   double worst_pair_impact = 0;
   double repetition_near = 0;  ///< G predicted from the contents, see choice.h
   double repetition_far = 0;
-  double use_deviation = 0;   ///< standard deviation / mean of how often a texel is used
-  double computed_share = 0;  ///< of the errors that a search without bounds computes
+  double use_deviation = 0;        ///< standard deviation / mean of how often a texel is used
+  double computed_share = 0;       ///< of the errors that a search without bounds computes
+  double lattice_correlation = 0;  ///< of the lattice that contents keep to; 0 without one
 };
 
 struct ContentSelection {

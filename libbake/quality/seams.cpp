@@ -88,8 +88,9 @@ std::vector<SeamPair> seam_pairs(ImageView<const V3f> exemplar, ImageView<const 
     if (!options.shape.empty() && options.shape(p.x, p.y) == options.shape(q.x, q.y)) return;
     const V2i expected = source(p.x, p.y) + step;
     if ((options.adjacency == Adjacency::torus ? wrap(expected, size) : expected) == source(q.x, q.y)) return;
-    pairs.push_back(
-        {p, q, delta_e(at(source(p.x, p.y)), at(source(q.x, q.y))), delta_e(at(wrap(p, size)), at(wrap(q, size)))});
+    const V3f shown_p = options.shown.empty() ? at(source(p.x, p.y)) : options.shown(p.x, p.y);
+    const V3f shown_q = options.shown.empty() ? at(source(q.x, q.y)) : options.shown(q.x, q.y);
+    pairs.push_back({p, q, delta_e(shown_p, shown_q), delta_e(at(wrap(p, size)), at(wrap(q, size)))});
   };
   for (int y = 0; y < source.height(); ++y)
     for (int x = 0; x < source.width(); ++x) {

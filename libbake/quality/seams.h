@@ -31,6 +31,9 @@ struct SeamOptions {
   /// also where a turned content takes them from texels that are not neighbours.
   ImageView<const uint32_t> shape = {};
   Adjacency adjacency = Adjacency::torus;
+  /// What the rendering shows, CIELUV, of the size of `source`; empty where that is the exemplar at the source. Soft
+  /// borders show blends.
+  ImageView<const V3f> shown = {};
 };
 
 /// `source(x, y)` is the texel of the exemplar that the rendering shows at (x, y), whose own place in the tile is

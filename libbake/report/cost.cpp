@@ -28,7 +28,13 @@ void add_cost(const EvaluatorPlanes& planes, std::array<MeasureRow, kMethodCount
     row[Measure::fetches] = Measured::of(fetches);
     row[Measure::gpu_bytes] = Measured::of(gpu_bytes / kMebi);
   };
-  set(Method::bundle, pictures + 1, bytes + texels * kPatchBytes + tables);
+  // The masks are one texture, each noise one more fetch.
+  const double noise_texels = static_cast<double>(planes.noise_tiles.size());
+  const double noises =
+      planes.noise_size > 0 ? noise_texels / (static_cast<double>(planes.noise_size) * planes.noise_size) : 0;
+  const double layers = noises > 0 ? 1 + noises : 0;
+  const double layer_bytes = noises > 0 ? (texels + noise_texels) * kWideBytes : 0;
+  set(Method::bundle, pictures + 1 + layers, bytes + texels * kPatchBytes + tables + layer_bytes);
   set(Method::periodic, pictures, bytes);
   set(Method::wang, pictures + 1, kWangTiles * bytes);
   set(Method::hex, 3 * pictures, bytes);

@@ -81,9 +81,9 @@ constexpr MeasureKind kKinds[] = {
      "borders along features: fragment --threshold; fewer patches"},
 
     {Measure::noise_spectrum, "noiseSpectrum", kNoise, "Noise spectrum", "dB",
-     "Synthesised noise against what was taken out inside its mask, the worst noise.", kNoiseAdvice},
+     "Drawn noise against the spectrum that was estimated, the worst noise.", kNoiseAdvice},
     {Measure::noise_power, "noisePower", kNoise, "Noise power", "",
-     "Relative error of the noise's variance, the worst noise.", kNoiseAdvice},
+     "Relative error of the drawn noise's variance, the worst noise.", kNoiseAdvice},
     {Measure::noise_kurtosis, "noiseKurtosis", kNoise, "Noise kurtosis", "",
      "Largest excess kurtosis of a noise's channels; 0 is Gaussian, photographs have 0.2 to 2.", ""},
     {Measure::noise_energy, "noiseEnergy", kNoise, "Energy deviation", "",

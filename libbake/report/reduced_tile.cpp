@@ -1,5 +1,8 @@
 #include "libbake/report/reduced_tile.h"
 
+#include <algorithm>
+
+#include "libbake/base/half.h"
 #include "libbake/quality/low_pass.h"
 
 namespace texbake {
@@ -13,7 +16,7 @@ int divided(int x, int factor) {
 V2i divided(V2i p, int factor) { return {divided(p.x, factor), divided(p.y, factor)}; }
 
 template <class T>
-Image<T> middle_texels(const Image<T>& image, int factor) {
+Image<T> middle_texels(ImageView<const T> image, int factor) {
   Image<T> reduced(image.width() / factor, image.height() / factor);
   for (int y = 0; y < reduced.height(); ++y)
     for (int x = 0; x < reduced.width(); ++x) reduced(x, y) = image(x * factor + factor / 2, y * factor + factor / 2);
@@ -22,8 +25,8 @@ Image<T> middle_texels(const Image<T>& image, int factor) {
 
 PatchMap reduced_patches(const PatchMap& patches, int factor) {
   PatchMap reduced;
-  reduced.partition.idx = middle_texels(patches.partition.idx, factor);
-  reduced.partition.owner = middle_texels(patches.partition.owner, factor);
+  reduced.partition.idx = middle_texels(patches.partition.idx.view(), factor);
+  reduced.partition.owner = middle_texels(patches.partition.owner.view(), factor);
   const V2i size = reduced.partition.size();
   for (const V2i& center : patches.partition.centers) reduced.partition.centers.push_back(wrap(center / factor, size));
   for (const uint32_t area : patches.partition.areas_px)
@@ -42,8 +45,14 @@ ContentTable reduced_contents(const ContentTable& contents, int factor, V2i size
 EvaluatorInput ReducedTile::input() const {
   EvaluatorInput input;
   input.base = base;
+  input.soft_border_px = soft_border_px;
   if (patches) input.patches = &*patches;
   if (contents) input.contents = &*contents;
+  if (!masks.empty()) {
+    input.noise.emplace();
+    for (const Image<float>& mask : masks) input.noise->masks.push_back(mask);
+    for (const Image<V3f>& tile : noise_tiles) input.noise->tiles.push_back(tile);
+  }
   return input;
 }
 
@@ -54,6 +63,15 @@ int reduction_to(V2i size, int largest_side) {
   return 1;
 }
 
+int reduction_to(const EvaluatorInput& input, int largest_side) {
+  const V2i size(input.base.width(), input.base.height());
+  if (!input.noise) return reduction_to(size, largest_side);
+  int factor = 1;
+  while (std::max(size.x, size.y) > factor * largest_side && size.x % (2 * factor) == 0 && size.y % (2 * factor) == 0)
+    factor *= 2;
+  return factor;
+}
+
 ReducedTile reduced_tile(const EvaluatorInput& input, int factor) {
   ReducedTile reduced;
   reduced.factor = factor;
@@ -61,6 +79,13 @@ ReducedTile reduced_tile(const EvaluatorInput& input, int factor) {
   if (input.patches) reduced.patches = reduced_patches(*input.patches, factor);
   const V2i size(reduced.base.width(), reduced.base.height());
   if (input.contents) reduced.contents = reduced_contents(*input.contents, factor, size);
+  reduced.soft_border_px = std::min(divided(input.soft_border_px, factor), max_soft_border_px(size));
+  if (!input.noise) return reduced;
+  for (const auto& mask : input.noise->masks) reduced.masks.push_back(middle_texels(mask, factor));
+  for (const auto& tile : input.noise->tiles) {
+    reduced.noise_tiles.push_back(reduce(tile, factor));
+    for (V3f& texel : reduced.noise_tiles.back()) texel = half_exact(texel);
+  }
   return reduced;
 }
 

@@ -11,15 +11,21 @@ struct ReducedTile {
   Image<V3f> base;
   std::optional<PatchMap> patches;
   std::optional<ContentTable> contents;
+  int soft_border_px = 0;
+  std::vector<Image<float>> masks;
+  std::vector<Image<V3f>> noise_tiles;
 
   EvaluatorInput input() const;
 };
 
 /// The least factor that divides both sides of `size` and leaves none above `largest_side`; 1 where there is none.
 int reduction_to(V2i size, int largest_side);
+/// The same for `input`: a power of two where it has noises, whose tiles stay powers of two that way.
+int reduction_to(const EvaluatorInput& input, int largest_side);
 
 /// Colours are means of factor × factor blocks; patches and owners are taken from the middle of each block;
-/// translations and centres are divided and rounded. `factor` divides both sides of the base.
+/// translations and centres are divided and rounded. Masks are taken from the middle of blocks, noises are means.
+/// `factor` divides both sides of the base and of the noises.
 ReducedTile reduced_tile(const EvaluatorInput& input, int factor);
 
 }  // namespace texbake

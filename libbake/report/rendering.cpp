@@ -75,17 +75,18 @@ RenderingSources bundle_sources(const EvaluatorPlanes& planes, V2i tiles, uint32
                             const PixelDecision& decision = frame.decisions(x, y);
                             return V2i(static_cast<int>(decision.source_x), static_cast<int>(decision.source_y));
                           }),
-          picture_of<uint32_t>(size, [&](int x, int y) { return frame.decisions(x, y).patch_idx; })};
+          picture_of<uint32_t>(size, [&](int x, int y) { return frame.decisions(x, y).patch_idx; }),
+          planes.soft_border_px > 0 ? bundle_luv(planes, tiles, seed) : Image<V3f>()};
 }
 
 RenderingSources periodic_sources(V2i tile, V2i tiles) {
   const V2i size(tile.x * tiles.x, tile.y * tiles.y);
-  return {picture_of<V2i>(size, [&](int x, int y) { return V2i(x % tile.x, y % tile.y); }), {}};
+  return {picture_of<V2i>(size, [&](int x, int y) { return V2i(x % tile.x, y % tile.y); }), {}, {}};
 }
 
 RenderingSources wang_sources(ImageView<const V3f> tile_luv, V2i tiles, uint32_t seed) {
   const WangTiling tiling(tile_luv, tiles, seed);
-  return {picture_of<V2i>(tiling.size_px(), [&](int x, int y) { return tiling.source(x, y); }), {}};
+  return {picture_of<V2i>(tiling.size_px(), [&](int x, int y) { return tiling.source(x, y); }), {}, {}};
 }
 
 }  // namespace texbake

@@ -76,7 +76,7 @@ void measure_rendering(ImageView<const V3f> exemplar_luv, ImageView<const V3f> r
 
 void measure_seams(ImageView<const V3f> exemplar_luv, const RenderingSources& sources, Adjacency adjacency,
                    MeasureRow& row) {
-  const auto found = seams(exemplar_luv, sources.source, {sources.shape, adjacency});
+  const auto found = seams(exemplar_luv, sources.source, {sources.shape, adjacency, sources.shown});
   const auto set = [&](Measure measure, double Seams::*value) {
     row[measure] =
         found ? Measured::of((*found).*value) : Measured::undefined("no two contents meet: there is no seam");

@@ -5,6 +5,7 @@
 #include "libbake/color/luv.h"
 #include "libbake/color/seam_measure.h"
 #include "libbake/content/choice_figures.h"
+#include "libbake/quality/low_pass.h"
 #include "libbake/report/cost.h"
 #include "libbake/report/reduced_tile.h"
 #include "libbake/report/rendering_measures.h"
@@ -32,7 +33,9 @@ const char* title_of(Method method) {
 struct Scene {
   ReducedTile tile;
   EvaluatorPlanes planes;
-  Image<V3f> luv;
+  Image<V3f> exemplar;   // what all methods start from
+  Image<V3f> luv;        // the same in CIELUV
+  Image<V3f> base_luv;   // what contents exchange; the exemplar, or its structure
   V2i tiles{0, 0};       // of a rendering
   V2i seam_tiles{0, 0};  // of the one in which seams are counted
 
@@ -41,10 +44,11 @@ struct Scene {
 
 Scene make_scene(const ReportInput& input, const ReportOptions& options) {
   Scene scene;
-  const V2i size(input.tile.base.width(), input.tile.base.height());
-  scene.tile = reduced_tile(input.tile, reduction_to(size, options.side_px));
+  scene.tile = reduced_tile(input.tile, reduction_to(input.tile, options.side_px));
   scene.planes = prepare(scene.tile.input());
-  scene.luv = luv_from_linear(scene.tile.base);
+  scene.base_luv = luv_from_linear(scene.tile.base);
+  scene.exemplar = input.exemplar.empty() ? scene.tile.base.clone() : reduce(input.exemplar, scene.tile.factor);
+  scene.luv = luv_from_linear(scene.exemplar);
   scene.tiles = {options.tiles, options.tiles};
   int seam_tiles = std::min(options.tiles, 3);
   while (seam_tiles > 2 && static_cast<int64_t>(scene.luv.size()) * seam_tiles * seam_tiles > kMaxSeamTexels)
@@ -60,7 +64,7 @@ Image<V3f> rendering_luv(const Scene& scene, Method method, uint32_t seed) {
     case Method::wang:
       return wang_luv(scene.luv, scene.tiles, seed);
     case Method::hex:
-      return hex_luv(scene.tile.base, scene.tiles, seed);
+      return hex_luv(scene.exemplar, scene.tiles, seed);
     default:
       return bundle_luv(scene.planes, scene.tiles, seed);
   }
@@ -78,7 +82,7 @@ void measure_method_seams(const Scene& scene, Method method, uint32_t seed, Meas
         row[measure] = Measured::undefined("every texel blends three readings: there is no seam");
       return;
     default:
-      return measure_seams(scene.luv, bundle_sources(scene.planes, scene.seam_tiles, seed), Adjacency::torus, row);
+      return measure_seams(scene.base_luv, bundle_sources(scene.planes, scene.seam_tiles, seed), Adjacency::torus, row);
   }
 }
 
@@ -119,7 +123,7 @@ class Measuring {
     for (ReportPicture& picture : rendering_pictures(title_of(method), rendering, scene_.size()))
       report_.pictures.push_back(std::move(picture));
     if (method != Method::bundle) return;
-    report_.pictures.push_back(seam_picture(scene_.luv, bundle_sources(scene_.planes, {2, 2}, 0)));
+    report_.pictures.push_back(seam_picture(scene_.base_luv, bundle_sources(scene_.planes, {2, 2}, 0)));
     report_.pictures.push_back(repetition_picture(rendering, scene_.size()));
   }
 
@@ -132,29 +136,43 @@ class Measuring {
 
 // What the contents foretell without drawing.
 void add_prediction(const Scene& scene, const std::optional<PairImpact>& pairs, MeasureRow& row) {
-  const ChoiceFigures figures = choice_figures(*scene.tile.contents, scene.luv, scene.tile.patches->partition);
+  const ChoiceFigures figures = choice_figures(*scene.tile.contents, scene.base_luv, scene.tile.patches->partition);
   row[Measure::predicted_near] = Measured::of(figures.repetition_near);
   row[Measure::predicted_far] = Measured::of(figures.repetition_far);
   row[Measure::pair_mean] = pairs ? Measured::of(pairs->mean) : Measured::undefined("select-contents recorded none");
   row[Measure::pair_worst] = pairs ? Measured::of(pairs->worst) : Measured::undefined("select-contents recorded none");
 }
 
+bool is_noise(Measure measure) { return kind_of(measure).group == "Noise"; }
+
 void undefine_missing(const std::string& reason, MeasureRow& row) {
   for (const MeasureKind& kind : measure_kinds()) {
     Measured& measured = row[kind.measure];
-    if (!measured.value && measured.undefined_because.empty()) measured = Measured::undefined(reason);
+    if (!measured.value && measured.undefined_because.empty() && !is_noise(kind.measure))
+      measured = Measured::undefined(reason);
   }
 }
 
-bool is_noise(Measure measure) { return kind_of(measure).group == "Noise"; }
+void add_noise(const NoiseSummary& noise, MeasureRow& row) {
+  const auto set = [&](Measure measure, const std::optional<double>& value) {
+    row[measure] = value ? Measured::of(*value) : Measured::undefined("decompose or estimate-psd recorded none");
+  };
+  set(Measure::noise_spectrum, noise.spectrum_db);
+  set(Measure::noise_power, noise.power_error);
+  set(Measure::noise_kurtosis, noise.excess_kurtosis);
+  set(Measure::noise_energy, noise.energy_deviation);
+  set(Measure::noise_coherence, noise.coherence_drop);
+}
 
 // Every judged measure. An edge of the pattern that runs along the wrap is doubtful at worst.
-void judge_all(const SeamMeasure& seam, Report& report) {
+void judge_all(const SeamMeasure& seam, const ReportInput& input, Report& report) {
   const MeasureRow& row = report.of(Method::bundle);
+  const int soft_border_px = input.tile.soft_border_px;
   std::vector<Verdict> verdicts;
   for (const MeasureKind& kind : measure_kinds()) {
-    const auto limits = limits_of(kind.measure, std::max(report.content_count, 1));
-    if (!limits || is_noise(kind.measure)) continue;
+    const auto limits = limits_of(kind.measure, std::max(report.content_count, 1), soft_border_px);
+    const bool absent = is_noise(kind.measure) && !input.noise;
+    if (!limits || absent) continue;
     Verdict verdict = judge(*limits, row[kind.measure]);
     const bool true_edge =
         (kind.measure == Measure::tile_x && seam.x.tiles()) || (kind.measure == Measure::tile_y && seam.y.tiles());
@@ -179,10 +197,10 @@ Report report(const ReportInput& input, const ReportOptions& options, const Prog
   result.content_count = input.tile.contents ? input.tile.contents->content_count : 0;
 
   // The tile by itself.
-  const SeamMeasure seam = measure_seam(input.tile.base);
+  const SeamMeasure seam = measure_seam(input.exemplar.empty() ? input.tile.base : input.exemplar);
   result.floor = fidelity_floor(scene.luv);
   result.suitability = suitability(input.contrast, find_lattice(scene.luv));
-  result.pictures = bundle_pictures(input.tile, planes);
+  result.pictures = bundle_pictures(input.tile, planes, input.exemplar, input.spectra);
   texbake::report(progress, 0.1);
 
   // Renderings of the bundle and of the baselines, and what needs none.
@@ -195,8 +213,9 @@ Report report(const ReportInput& input, const ReportOptions& options, const Prog
     add_prediction(scene, input.pairs, result.methods[static_cast<size_t>(Method::bundle)]);
   else
     undefine_missing(kNoContents, result.methods[static_cast<size_t>(Method::bundle)]);
+  if (input.noise) add_noise(*input.noise, result.methods[static_cast<size_t>(Method::bundle)]);
   add_cost(planes, result.methods);
-  judge_all(seam, result);
+  judge_all(seam, input, result);
   return result;
 }
 

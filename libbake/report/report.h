@@ -39,11 +39,23 @@ struct ReportOptions {
   static ReportOptions quick() { return {.seeds = 1, .tiles = 6, .side_px = 256}; }
 };
 
+/// What was recorded of a noise layer, over all its noises; nothing for what was not.
+struct NoiseSummary {
+  std::optional<double> spectrum_db{};       ///< of the drawn noise's spectrum to the estimated one; the worst
+  std::optional<double> power_error{};       ///< relative, of its variance; the worst
+  std::optional<double> excess_kurtosis{};   ///< of largest magnitude
+  std::optional<double> energy_deviation{};  ///< r(T) of decompose
+  std::optional<double> coherence_drop{};    ///< of decompose
+};
+
 /// What is reported on. Views are borrowed.
 struct ReportInput {
   EvaluatorInput tile;
-  std::optional<PairImpact> pairs;         ///< as select-contents found it
-  std::optional<ContrastReport> contrast;  ///< as fragment found it
+  ImageView<const V3f> exemplar = {};           ///< where the base is a structure; empty: the base itself
+  std::optional<NoiseSummary> noise;            ///< nothing without a noise layer
+  std::vector<ImageView<const float>> spectra;  ///< of the first channel of each noise, magnitudes
+  std::optional<PairImpact> pairs;              ///< as select-contents found it
+  std::optional<ContrastReport> contrast;       ///< as fragment found it
 };
 
 /// A measure's standing in the bundle.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "libbake/color/luv.h"
+#include "libbake/content/shown_source.h"
 #include "libbake/eval/show.h"
 #include "libbake/quality/low_pass.h"
 #include "libbake/quality/repetition.h"
@@ -48,7 +49,8 @@ Image<V3f> reduced_window(const EvaluatorPlanes& planes, V2i size, int factor) {
   return picture;
 }
 
-ReportPicture shown(const EvaluatorPlanes& planes, Show show, V2i tiles, const std::string& caption) {
+ReportPicture shown(const EvaluatorPlanes& planes, Show show, V2i tiles, const std::string& caption,
+                    PictureGroup group = PictureGroup::parts) {
   Window window;
   const int longest = std::max(planes.size.x * tiles.x, planes.size.y * tiles.y);
   const int step = std::max((longest + kPartPx - 1) / kPartPx, 1);
@@ -56,8 +58,8 @@ ReportPicture shown(const EvaluatorPlanes& planes, Show show, V2i tiles, const s
   window.width = planes.size.x * tiles.x / step;
   window.height = planes.size.y * tiles.y / step;
   window.filter = Filter::nearest;
-  const bool is_drawing = show != Show::variation;
-  return {PictureGroup::parts, caption, show_rows(planes, window, show, 0, window.height), is_drawing};
+  const bool is_drawing = group == PictureGroup::parts;
+  return {group, caption, show_rows(planes, window, show, 0, window.height), is_drawing};
 }
 
 // One patch filled with each of its contents, what surrounds it dimmed: side by side.
@@ -74,12 +76,12 @@ ReportPicture contents_picture(const EvaluatorInput& tile) {
   Image<V3f> strip(count * side + (count - 1) * 4, side, V3f(1.0f));
   const V2i center = patches.centers[static_cast<size_t>(patch)];
   for (int c = 0; c < count; ++c) {
-    const V2i translation = tile.contents->at(patch, c).translation;
+    const Content& content = tile.contents->at(patch, c);
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         const V2i p = wrap(center + V2i(x * step - half, y * step - half), size);
         const bool inside = patches.idx(p.x, p.y) == static_cast<uint32_t>(patch);
-        const V2i source = inside ? wrap(p + translation, size) : p;
+        const V2i source = inside ? shown_source(patches, static_cast<uint32_t>(patch), p, content) : p;
         strip(c * (side + 4) + x, y) = tile.base(source.x, source.y) * (inside ? 1.0f : 0.25f);
       }
   }
@@ -89,13 +91,36 @@ ReportPicture contents_picture(const EvaluatorInput& tile) {
           std::move(strip), false};
 }
 
+// A spectrum in grey, DC in the middle.
+ReportPicture spectrum_picture(ImageView<const float> spectrum, size_t number) {
+  const V2i size(spectrum.width(), spectrum.height());
+  const float largest = std::max(*std::max_element(spectrum.begin(), spectrum.end()), 1e-20f);
+  Image<V3f> picture(size.x, size.y);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      picture(x, y) = V3f(std::sqrt(spectrum((x + size.x / 2) % size.x, (y + size.y / 2) % size.y) / largest));
+  return {PictureGroup::layers, fmt::format("Spectrum of noise {}, its first channel", number), std::move(picture),
+          true};
+}
+
+void add_layers(const EvaluatorPlanes& planes, const std::vector<ImageView<const float>>& spectra,
+                std::vector<ReportPicture>& pictures) {
+  if (planes.noise_size == 0) return;
+  pictures.push_back(shown(planes, Show::structure, {1, 1}, "The structure alone", PictureGroup::layers));
+  pictures.push_back(shown(planes, Show::noise, {1, 1}, "The noise alone, about middle grey", PictureGroup::layers));
+  pictures.push_back(shown(planes, Show::masks, {1, 1}, "Masks: where each noise lives", PictureGroup::layers));
+  for (size_t i = 0; i < spectra.size(); ++i) pictures.push_back(spectrum_picture(spectra[i], i));
+}
+
 }  // namespace
 
-std::vector<ReportPicture> bundle_pictures(const EvaluatorInput& tile, const EvaluatorPlanes& planes) {
+std::vector<ReportPicture> bundle_pictures(const EvaluatorInput& tile, const EvaluatorPlanes& planes,
+                                           ImageView<const V3f> exemplar,
+                                           const std::vector<ImageView<const float>>& spectra) {
   std::vector<ReportPicture> pictures;
   pictures.push_back({PictureGroup::overview,
                       fmt::format("The exemplar's tile, {} × {} texels", planes.size.x, planes.size.y),
-                      at_most(tile.base, kPartPx), false});
+                      at_most(exemplar.empty() ? tile.base : exemplar, kPartPx), false});
   const V2i large(planes.size.x * kLargeTiles, planes.size.y * kLargeTiles);
   const int factor = std::max((std::max(large.x, large.y) + kLargePx - 1) / kLargePx, 1);
   pictures.push_back(
@@ -110,6 +135,7 @@ std::vector<ReportPicture> bundle_pictures(const EvaluatorInput& tile, const Eva
     pictures.push_back(shown(planes, Show::contents, {3, 3}, "Contents of 3 × 3 tiles; grey shows the patch itself"));
     pictures.push_back(contents_picture(tile));
   }
+  add_layers(planes, spectra, pictures);
   return pictures;
 }
 
@@ -125,7 +151,8 @@ std::vector<ReportPicture> rendering_pictures(std::string_view name, ImageView<c
 }
 
 ReportPicture seam_picture(ImageView<const V3f> tile_luv, const RenderingSources& sources) {
-  const Image<SeamTexel> seams = seam_texels(tile_luv, sources.source, {sources.shape, Adjacency::torus});
+  const Image<SeamTexel> seams =
+      seam_texels(tile_luv, sources.source, {sources.shape, Adjacency::torus, sources.shown});
   const V2i size(std::min(seams.width(), 2 * kWindowPx), std::min(seams.height(), 2 * kWindowPx));
   Image<V3f> picture(size.x, size.y);
   for (int y = 0; y < size.y; ++y)

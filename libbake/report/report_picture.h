@@ -22,8 +22,12 @@ struct ReportPicture {
   bool is_drawing = false;  ///< flat colours, stored without loss
 };
 
-/// The tile, a large window of the infinite texture, fragments, patches, contents, the contents of one patch.
-std::vector<ReportPicture> bundle_pictures(const EvaluatorInput& tile, const EvaluatorPlanes& planes);
+/// The tile, a large window of the infinite texture, fragments, patches, contents, the contents of one patch; with
+/// noise also structure, noise, masks and spectra (magnitudes; the square root of each over its largest, DC in the
+/// middle). `exemplar` is empty where the base is the exemplar.
+std::vector<ReportPicture> bundle_pictures(const EvaluatorInput& tile, const EvaluatorPlanes& planes,
+                                           ImageView<const V3f> exemplar,
+                                           const std::vector<ImageView<const float>>& spectra);
 
 /// One rendering at the same place for every method: a window at 1 : 1 where four tiles meet, and all of it from afar.
 std::vector<ReportPicture> rendering_pictures(std::string_view name, ImageView<const V3f> rendering_luv, V2i tile);

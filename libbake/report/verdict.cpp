@@ -17,7 +17,7 @@ Limits at_most(double pass, double warn) {
 
 }  // namespace
 
-std::optional<Limits> limits_of(Measure measure, int content_count) {
+std::optional<Limits> limits_of(Measure measure, int content_count, int soft_border_px) {
   switch (measure) {
     case Measure::tile_x:
     case Measure::tile_y:
@@ -35,7 +35,7 @@ std::optional<Limits> limits_of(Measure measure, int content_count) {
     case Measure::band_rest:
       return Limits{0.9, 1.1, 0.8, 1.25};
     case Measure::seam_auc:
-      return at_most(0.65, 0.72);
+      return soft_border_px > 0 ? at_most(0.60, 0.67) : at_most(0.65, 0.72);
     case Measure::seam_tail:
       return at_most(0.10, 0.20);
     case Measure::color:

@@ -25,8 +25,9 @@ struct Limits {
   double warn_high = std::numeric_limits<double>::infinity();
 };
 
-/// The limits of `measure` for a bundle of `content_count` contents for each patch; nothing for what is only printed.
-std::optional<Limits> limits_of(Measure measure, int content_count);
+/// The limits of `measure` for a bundle of `content_count` contents for each patch and such borders; nothing for what
+/// is only printed. Soft borders must hide seams better.
+std::optional<Limits> limits_of(Measure measure, int content_count, int soft_border_px = 0);
 
 /// Where a number stands; `undefined` for one that is not there.
 Verdict judge(const Limits& limits, const Measured& measured);

@@ -42,7 +42,7 @@ only() {
 only 'OpenImageIO/' formats/image_reader.cpp formats/image_writer.cpp formats/picture_bytes.cpp
 only 'OpenEXR/' formats/exr_planes.cpp
 only 'openssl/' formats/sha256.cpp
-only 'opencv2/' libbake/base/fft.cpp
+only 'opencv2/' libbake/base/fft.cpp libbake/report/sheet.cpp
 only 'ceres/' libbake/noise/lobes.cpp
 only 'flann/' libbake/height/nearest_clicks.cpp libbake/quality/structure_distance.cpp
 only 'tbb/' libbake/base/parallel.h formats/exr_planes.cpp cli/limits.cpp

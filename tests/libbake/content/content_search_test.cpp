@@ -68,6 +68,20 @@ uint64_t error_sum(const Candidates& candidates, V2i t) {
   return found == candidates.end() ? UINT64_MAX : found->error_sum;
 }
 
+TEST(ContentSearch, KeepsToTheAllowedTranslations) {
+  const Tile tile = random_tile(70, 40, 5, 3, 4);
+  Image<uint8_t> allowed(70, 40);
+  for (int y = 0; y < 40; y += 5)
+    for (int x = 0; x < 70; x += 7) allowed(x, y) = 1;
+  const SearchResult all = search(tile, {70 * 40, 1});
+  const SearchResult found = search(tile, {12, 6, allowed});
+  for (size_t patch = 0; patch < 3; ++patch) {
+    Candidates expected = all.candidates[patch];
+    std::erase_if(expected, [&](const Candidate& c) { return !allowed(c.translation.x, c.translation.y); });
+    EXPECT_THAT(found.candidates[patch], ElementsAreArray(take_separated(expected, {70, 40}, {12, 6})));
+  }
+}
+
 TEST(ContentSearch, SumsTheErrorsOfEquation3) {
   // One texel of class 1, at column 8 of row 8, in a tile of class 0; patches are the left and the right half. The
   // dilated border of patch 0 is columns 14, 15, 0, 1, 2 and 5 … 9, that of patch 1 is 6 … 10 and 13, 14, 15, 0, 1.

@@ -38,5 +38,20 @@ TEST(ReducedTile, DrawsTheMeansOfWhatTheWholeTileDraws) {
     }
 }
 
+TEST(ReducedTile, KeepsNoisesPowersOfTwo) {
+  TileFixture fixture = tile_fixture(96, 2);
+  const Image<float> mask(96, 96, 1.0f);
+  const Image<V3f> noise(64, 64, V3f(0.125f));
+  EvaluatorInput input = fixture.input();
+  EXPECT_EQ(reduction_to(input, 32), 3);
+  input.noise = NoiseInput{{mask}, {noise}};
+  EXPECT_EQ(reduction_to(input, 32), 4);
+  const ReducedTile reduced = reduced_tile(input, 4);
+  ASSERT_EQ(reduced.noise_tiles.size(), 1u);
+  EXPECT_EQ(reduced.noise_tiles[0].width(), 16);
+  EXPECT_EQ(reduced.masks[0].width(), 24);
+  EXPECT_NO_THROW(prepare(reduced.input()));
+}
+
 }  // namespace
 }  // namespace texbake

@@ -33,7 +33,7 @@ TEST(Report, PeriodicTilingRepeatsWhollyAndMatchesItself) {
   EXPECT_NEAR(value(found, Method::periodic, Measure::band_coarse), 1.0, 1e-3);
   EXPECT_NEAR(value(found, Method::periodic, Measure::color), 0.0, 1e-6);
   EXPECT_NEAR(value(found, Method::periodic, Measure::gradient_ratio), 1.0, 0.05);  // the wrap counts beside the inside
-  EXPECT_NEAR(value(found, Method::periodic, Measure::structure), 1.0, 0.1);  // medians of other windows
+  EXPECT_NEAR(value(found, Method::periodic, Measure::structure), 1.0, 0.1);        // medians of other windows
 }
 
 TEST(Report, HexTilingHasNoSeamAndSaysWhy) {
@@ -83,6 +83,36 @@ TEST(Report, OfATileTooSmallForASpectrumSaysSo) {
   EXPECT_FALSE(found.of(Method::bundle)[Measure::spectrum].value.has_value());
   EXPECT_NE(found.of(Method::bundle)[Measure::spectrum].undefined_because.find("16 texels"), std::string::npos);
   EXPECT_GE(found.verdict, Verdict::undefined);
+}
+
+TEST(Report, JudgesTheNoiseLayerWhereThereIsOneAndPassesNothingThatWasNotRecorded) {
+  const TileFixture fixture = tile_fixture(32, 3);
+  const Image<float> mask(32, 32, 1.0f);
+  const Image<V3f> noise(16, 16, V3f(0.0f));
+  const Image<float> spectrum(16, 16, 1.0f);
+  ReportInput input;
+  input.tile = fixture.input();
+  input.tile.noise = NoiseInput{{mask}, {noise}};
+  input.exemplar = fixture.base;
+  input.noise = NoiseSummary{.spectrum_db = 0.5, .power_error = 0.01, .coherence_drop = 0.2};
+  input.spectra.push_back(spectrum);
+  const Report found = report(input, small_options());
+  const auto verdict = [&](Measure measure) {
+    for (const Judgement& judgement : found.judgements)
+      if (judgement.measure == measure) return judgement.verdict;
+    return Verdict::undefined;
+  };
+  EXPECT_EQ(verdict(Measure::noise_spectrum), Verdict::pass);
+  EXPECT_EQ(verdict(Measure::noise_coherence), Verdict::fail);
+  EXPECT_FALSE(found.of(Method::bundle)[Measure::noise_energy].value.has_value());
+  EXPECT_NE(found.of(Method::bundle)[Measure::noise_energy].undefined_because, "");
+  // A patch, a base, the masks and one noise.
+  EXPECT_EQ(value(found, Method::bundle, Measure::fetches), 4);
+}
+
+TEST(Report, WithoutANoiseLayerDoesNotJudgeOne) {
+  const Report found = report_on(tile_fixture(32, 3));
+  for (const Judgement& judgement : found.judgements) EXPECT_NE(kind_of(judgement.measure).group, "Noise");
 }
 
 TEST(Report, IsTheSameTwice) {

@@ -1,0 +1,22 @@
+#include "cli/sheets.h"
+
+#include "cli/bundle_path.h"
+#include "formats/image_writer.h"
+
+namespace texbake {
+
+void add_sheet_flag(CLI::App& app, std::string& file) {
+  app.add_option("--sheet", file,
+                 "also write a picture to choose the options by eye: what other values give, each labelled")
+      ->type_name("FILE");
+}
+
+void check_sheet(const std::string& file) {
+  if (file.empty()) return;
+  check_picture_name(file);
+  check_file_target(file);
+}
+
+void write_sheet(const std::string& file, const Sheet& sheet) { write_picture(file, draw(sheet), PictureRole::color); }
+
+}  // namespace texbake
