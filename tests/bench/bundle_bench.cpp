@@ -43,7 +43,7 @@ Bundle synthetic_bundle(int size, int maps) {
   for (size_t i = 0; i < scale.exemplar.size(); ++i)
     scale.exemplar.data()[i] = V3f(red.data()[i], green.data()[i], blue.data()[i]);
   scale.colors.emplace();
-  for (int k = 0; k < 8; ++k) scale.colors->palette.classes.push_back({{k * 10.0f, 0, 0}, {1, 0, 0}});
+  for (int k = 0; k < 8; ++k) scale.colors->palette.classes.push_back({{static_cast<float>(10 * k), 0, 0}, {1, 0, 0}});
   scale.colors->variation = smooth_noise(size, 4);
   scale.colors->index = Image<uint8_t>(size, size);
   for (size_t i = 0; i < red.size(); ++i)

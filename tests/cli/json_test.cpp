@@ -81,7 +81,8 @@ TEST_F(CommandLineJson, EveryVerbWritesOneObjectOfTheSchema) {
   valid_output("estimate-psd " + at("c.texbundle"), 0);
   valid_output("bake " + at("bricks.png") + " -o " + at("b.texbundle"), 0);
   std::ofstream(at("clicks.json")) << "[[5, 5, 0.5]]";
-  valid_output("heightmap " + bundle + " " + at("clicks.json") + " --preview " + at("p.png") + " -o " + at("c.texbundle"), 0);
+  valid_output(
+      "heightmap " + bundle + " " + at("clicks.json") + " --preview " + at("p.png") + " -o " + at("c.texbundle"), 0);
   valid_output("stack " + bundle + " " + at("b.texbundle") + " -o " + at("s.texbundle"), 0);
   valid_output("info " + at("s.texbundle"), 0);
   valid_output("render " + bundle + " --size 16 -o " + at("a.png"), 0);
@@ -95,9 +96,10 @@ TEST_F(CommandLineJson, ReportsAreObjectsOfTheSchemaAndNeverPassWhatIsNotThere) 
   run("convert " + at("bricks.png") + " -o " + at("c.texbundle"));
   const json bare = valid_output("report " + at("c.texbundle") + " --quick --tiles 2 --fail-on fail", 1)["result"];
   EXPECT_EQ(bare["contents"], 0);
-  for (const json& measure : bare["measures"])
-    if (measure["key"] == "repetitionFar")
-      EXPECT_THAT(measure["bundle"]["notDefined"], testing::HasSubstr("select-contents"));
+  for (const json& measure : bare["measures"]) {
+    if (measure["key"] != "repetitionFar") continue;
+    EXPECT_THAT(measure["bundle"]["notDefined"], testing::HasSubstr("select-contents"));
+  }
 }
 
 TEST_F(CommandLineJson, FailuresAreObjectsOfTheSchemaToo) {

@@ -28,7 +28,9 @@ TEST(Sheet, HoldsEveryCellUnchangedInItsPlace) {
 
 TEST(Sheet, LabelsAreDrawn) {
   const auto dark = [](const std::string& label) {
-    const Image<V3f> picture = draw({"", 1, {{label, Image<V3f>(200, 20, V3f(0.5f))}}});
+    Sheet sheet{"", 1, {}};
+    sheet.cells.push_back({label, Image<V3f>(200, 20, V3f(0.5f))});
+    const Image<V3f> picture = draw(sheet);
     return std::count_if(picture.begin(), picture.end(), [](const V3f& c) { return c.x < 0.2f; });
   };
   EXPECT_EQ(dark(""), 0);
