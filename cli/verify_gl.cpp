@@ -54,10 +54,11 @@ std::string text(const LanguageParity& parity, V2i tile_size) {
                      report.points, report.drawn_contents, report.contents, report.differing_decisions,
                      report.differing_points, report.differing_bits, report.nan_points);
   const PerspectiveParity& perspective = parity.perspective;
-  out += fmt::format("  {} pixels in perspective: {} see another place (at most {} may), {} values differ\n",
-                     perspective.pixels, perspective.differing_sights,
-                     static_cast<uint64_t>(PerspectiveParity::kTolerance * static_cast<double>(perspective.pixels)),
-                     perspective.differing_values);
+  if (perspective.pixels > 0)
+    out += fmt::format("  {} pixels in perspective: {} see another place (at most {} may), {} values differ\n",
+                       perspective.pixels, perspective.differing_sights,
+                       static_cast<uint64_t>(PerspectiveParity::kTolerance * static_cast<double>(perspective.pixels)),
+                       perspective.differing_values);
   if (const auto& first = report.first_decision)
     out += fmt::format("  first decision: {}: expected {}, found {}\n",
                        text(Place{tile_size, first->window, first->pixel}), text(first->expected), text(first->found));

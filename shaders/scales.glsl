@@ -161,74 +161,98 @@ vec4 stacked_texel(int finest, Texel place, float variation) {
   return sum;
 }
 
-// The four texels of the scale in use around a point, and their weights.
-struct Neighbours {
-  Texel upper_left;
-  Texel upper_right;
-  Texel lower_left;
-  Texel lower_right;
-  ivec2 fraction;  // 0 ... 255
-};
-
-Neighbours neighbours_at(Position at) {
-  Position corner = upper_left_center(at);
-  Neighbours around;
-  around.upper_left = texel_at(corner);
-  around.upper_right = right_of(around.upper_left);
-  around.lower_left = below(around.upper_left);
-  around.lower_right = right_of(around.lower_left);
-  around.fraction = ivec2(corner.offset.x & 255, corner.offset.y & 255);
-  return around;
+// Of the four texels around a point, by the upper left one: 0 that, 1 upper right, 2 lower left, 3 lower right.
+Texel surrounding_texel(Texel upper_left, int corner) {
+  Texel texel = upper_left;
+  if ((corner & 1) != 0) texel = right_of(texel);
+  if (corner > 1) texel = below(texel);
+  return texel;
 }
 
-// stacked_texel where `finest` takes the coarser colour between four texels of it.
-vec4 smoothly_stacked_texel(int finest, Texel at, float variation) {
-  use_scale(finest);
-  Shown shown = shown_texel(finest, at, variation);
-  float share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
-  Position center;
-  center.tile = at.tile;
-  center.offset = ivec2(at.p.x * 256 + 128, at.p.y * 256 + 128);
-  Position place = coarser_position(finest, center);
-  use_scale(finest - 1);
-  Neighbours around = neighbours_at(place);
-  vec4 coarse = bilinear(stacked_texel(finest - 1, around.upper_left, share),
-                         stacked_texel(finest - 1, around.upper_right, share),
-                         stacked_texel(finest - 1, around.lower_left, share),
-                         stacked_texel(finest - 1, around.lower_right, share), around.fraction);
-  PRECISE vec4 arrived = shown.color + (coarse - shown.mean) * shown.taking;
+// The discrete function of a scale: what its texel `at` shows. Where it takes the coarser colour between four texels of
+// the scale before it, those are stacked and blended first. Loops rather than calls side by side, here and below:
+// drivers copy what a call does into every place that calls.
+vec4 scale_texel(int scale, Texel at, float variation) {
+  use_scale(scale);
+  bool between = scale > 0 && (transfer_bits & 3) == 2;
+  vec4 own = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  vec4 mean = own;
+  float taking = 0.0f;
+  int first = scale;
+  float share = variation;
+  Texel start = at;
+  ivec2 fraction = ivec2(0, 0);
+  if (between) {
+    Shown shown = shown_texel(scale, at, variation);
+    own = shown.color;
+    mean = shown.mean;
+    taking = shown.taking;
+    share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
+    Position center;
+    center.tile = at.tile;
+    center.offset = ivec2(at.p.x * 256 + 128, at.p.y * 256 + 128);
+    Position place = coarser_position(scale, center);
+    first = scale - 1;
+    use_scale(first);
+    Position corner = upper_left_center(place);
+    start = texel_at(corner);
+    fraction = ivec2(corner.offset.x & 255, corner.offset.y & 255);
+  }
+  int count = between ? 4 : 1;
+  float across = weight_of(fraction.x);
+  vec4 left = own;
+  vec4 upper = own;
+  vec4 lower = own;
+  for (int i = 0; i < count; ++i) {
+    use_scale(first);
+    vec4 value = stacked_texel(first, surrounding_texel(start, i), share);
+    if ((i & 1) == 0) left = value;
+    else if (i == 1) upper = lerp(left, value, across);
+    else lower = lerp(left, value, across);
+  }
+  if (!between) return left;
+  vec4 coarse = lerp(upper, lower, weight_of(fraction.y));
+  PRECISE vec4 arrived = own + (coarse - mean) * taking;
   return arrived;
 }
 
-// The discrete function of a scale: what its texel `at` shows.
-vec4 scale_texel(int scale, Texel at, float variation) {
+// A point of one scale: the texel in which it lies, or between the four around it.
+vec4 filtered_scale(int scale, Position at, float variation, int smooth_filter) {
   use_scale(scale);
-  if (scale > 0 && (transfer_bits & 3) == 2) return smoothly_stacked_texel(scale, at, variation);
-  return stacked_texel(scale, at, variation);
-}
-
-vec4 scale_nearest(int scale, Position at, float variation) {
-  return scale_texel(scale, texel_at(at), variation);
-}
-
-vec4 scale_bilinear(int scale, Position at, float variation) {
-  use_scale(scale);
-  Neighbours around = neighbours_at(at);
-  return bilinear(scale_texel(scale, around.upper_left, variation), scale_texel(scale, around.upper_right, variation),
-                  scale_texel(scale, around.lower_left, variation), scale_texel(scale, around.lower_right, variation),
-                  around.fraction);
+  Position corner = at;
+  if (smooth_filter != 0) corner = upper_left_center(at);
+  Texel start = texel_at(corner);
+  int count = smooth_filter == 0 ? 1 : 4;
+  float across = weight_of(corner.offset.x & 255);
+  vec4 left = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  vec4 upper = left;
+  vec4 lower = left;
+  for (int i = 0; i < count; ++i) {
+    use_scale(scale);
+    vec4 value = scale_texel(scale, surrounding_texel(start, i), variation);
+    if ((i & 1) == 0) left = value;
+    else if (i == 1) upper = lerp(left, value, across);
+    else lower = lerp(left, value, across);
+  }
+  if (count == 1) return left;
+  return lerp(upper, lower, weight_of(corner.offset.y & 255));
 }
 
 // A point between two scales: `fading` is 0 where `scale` shows alone and 1 where the one before it does; `variation` is
 // the share of its variation that `scale` still has. `smooth_filter` is 0 for nearest, 1 for bilinear.
 vec4 stacked_value(int scale, Position at, float fading, float variation, int smooth_filter) {
-  vec4 fine = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  if (fading < 1.0f)
-    fine = smooth_filter == 0 ? scale_nearest(scale, at, variation) : scale_bilinear(scale, at, variation);
-  if (fading == 0.0f) return fine;
-  use_scale(scale);
-  Position place = coarser_position(scale, at);
-  vec4 coarse = smooth_filter == 0 ? scale_nearest(scale - 1, place, 1.0f) : scale_bilinear(scale - 1, place, 1.0f);
-  if (fading == 1.0f) return coarse;
-  return lerp(fine, coarse, fading);
+  vec4 blended = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  Position place = at;
+  for (int i = 0; i < 2; ++i) {
+    if (i == 0 && fading == 1.0f) continue;
+    if (i == 1 && fading == 0.0f) break;
+    if (i == 1) {
+      use_scale(scale);
+      place = coarser_position(scale, at);
+    }
+    vec4 value = filtered_scale(scale - i, place, i == 0 ? variation : 1.0f, smooth_filter);
+    if (i == 0 || fading == 1.0f) blended = value;
+    else blended = lerp(blended, value, fading);
+  }
+  return blended;
 }

@@ -67,7 +67,7 @@ struct GlStackRenderer::State {
                  static_cast<GLint>(window.origin_y.offset_256));
     gl.Uniform1ui(program.uniform("step_256"), window.step_256);
     gl.Uniform2i(program.uniform("first_row"), 0, 1);  // the lowest line, read first, is the top row
-    gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::bilinear ? 1 : 0);
+    gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::nearest ? 0 : 1);
     gl.Uniform1i(program.uniform("view_scale"), view.scale);
     gl.Uniform1f(program.uniform("fading"), view.fading);
     gl.Uniform1f(program.uniform("variation"), view.variation);

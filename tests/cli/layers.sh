@@ -39,7 +39,7 @@ only() {
     [[ " $* " == *" $file "* ]] || complain "$file includes <$pattern>; allowed: $*"
   done < <(grep -rlE "#include <($pattern)" --include=*.h --include=*.cpp libbake formats cli examples)
 }
-only 'OpenImageIO/' formats/image_reader.cpp formats/image_writer.cpp formats/picture_bytes.cpp
+only 'OpenImageIO/' formats/click_picture.cpp formats/image_reader.cpp formats/image_writer.cpp formats/picture_bytes.cpp
 only 'OpenEXR/' formats/exr_planes.cpp
 only 'openssl/' formats/sha256.cpp
 only 'opencv2/' libbake/base/fft.cpp libbake/report/sheet.cpp

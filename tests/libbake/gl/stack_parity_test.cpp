@@ -43,7 +43,7 @@ TEST_P(StackParity, WeightsAndGainsDifferInNoBit) {
 
 TEST_P(StackParity, ThreeScalesDifferInNoBit) {
   SmallStack stack = two_scales({.ratio = 3}, Contents::turned);
-  stack.add(random_scale({48, 16}, 5, Contents::moved, 8), {.ratio = 6, .detail_mean = DetailMean::local});
+  stack.add(random_scale({48, 40}, 5, Contents::moved, 8), {.ratio = 6, .detail_mean = DetailMean::local});
   expect_equal(stack, 14);
 }
 
