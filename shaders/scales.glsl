@@ -18,14 +18,14 @@ void use_scale(int scale) {
 }
 
 // a / b, rounded down, for b > 0: `/` of negative integers differs between languages.
-int floor_divided(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+int floor_divided(int a, int b) { return a >= 0 ? a / b : -(-(a + 1) / b) - 1; }
 
 // Where a texel lies in the next coarser scale, on one axis: its repetition there, and how far in, in texels of its
 // own. `start` is the upper left corner of the repetition `reference`: of repetition start.x, start.y texels in.
 ivec2 coarser_place(int x, int repetition, int side, ivec2 start, int coarse_side) {
-  int distance = start.y + repetition * side + x;
+  int distance = int(uint(start.y) + uint(repetition) * uint(side) + uint(x));
   int beyond = floor_divided(distance, coarse_side);
-  return ivec2(start.x + beyond, distance - beyond * coarse_side);
+  return ivec2(int(uint(start.x) + uint(beyond)), int(uint(distance) - uint(beyond) * uint(coarse_side)));
 }
 
 // The place of texel `at` of `scale`, which is in use, in the scale before it: repetitions and texels of `scale`. `at.p`
