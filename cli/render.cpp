@@ -14,6 +14,7 @@
 #include "libbake/eval/levels.h"
 #include "libbake/eval/relief_window.h"
 #include "libbake/eval/show.h"
+#include "libbake/eval/stack_levels.h"
 #include "libbake/eval/supersample.h"
 
 namespace texbake {
@@ -113,8 +114,9 @@ void check_show(const Request& request) {
 void check_deformation(const Request& request) {
   if (deformation_of(request.deform).is_identity()) return;
   if (request.view.view == View::plane || request.view.supersample > 1)
-    throw Error(ErrorKind::usage,
-                "--rotate, --stretch, --turbulence: a flat window is deformed; expected no --view plane or --supersample");
+    throw Error(
+        ErrorKind::usage,
+        "--rotate, --stretch, --turbulence: a flat window is deformed; expected no --view plane or --supersample");
 }
 
 void check_supersample(const Request& request) {
@@ -179,8 +181,10 @@ bool has_relief(const Request& request) { return request.relief.depth_px > 0; }
 
 /// All scales in colour, and the relief of the coarsest.
 void render_stack(const Request& request, const Bundle& bundle, const std::string& path, Console& console) {
-  const StackPlanes planes = prepare_stack(stack_input(bundle));
+  const std::vector<StackScale> scales = stack_input(bundle);
+  StackPlanes planes = prepare_stack(scales);
   const Window window = window_of(request.window, parse_size("size", request.options.size), planes.sizes.back());
+  if (needs_levels(window)) add_levels(planes, scales);
   const PictureFormat format{.width = window.width, .height = window.height, .samples = request.options.bits};
   if (!has_relief(request))
     return stream(

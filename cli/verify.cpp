@@ -11,6 +11,7 @@
 #include "cli/verify_gl.h"
 #include "formats/bundle_io.h"
 #include "libbake/eval/levels.h"
+#include "libbake/eval/stack_levels.h"
 
 namespace texbake {
 namespace {
@@ -101,7 +102,9 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
   options.windows = request.options.windows;
   const GlLanguage language = request.options.gl_language;
   if (bundle.scales.size() > 1) {
-    const StackPlanes stack = prepare_stack(stack_input(bundle));
+    const std::vector<StackScale> scales = stack_input(bundle);
+    StackPlanes stack = prepare_stack(scales);
+    add_levels(stack, scales);
     append(outcome,
            parity_outcome(gl_stack_parity(stack, language, request.gl.gl_device, options), stack.sizes.back()));
   } else {

@@ -22,6 +22,10 @@ uniform usampler2D level_entries;  // RG16UI    4096 x n   idx, owner of each en
 uniform sampler2D base_levels;     // RGBA32F   4096 x n   what each content of each entry shows, times its cover
 uniform int level_count;           // levels 1 ... level_count are there
 uniform int first_level;           // 0 where borders of patches are soft: level_blocks then has level 0; else 1
-// One scale: its planes begin at the first row, its patches at the first entry.
+// One scale: its planes and levels begin at the first row, its patches at the first entry.
 const int plane_row = 0;
 const int first_patch = 0;
+const int level_row = 0;
+const int block_row = 0;
+const int entry_row = 0;
+const int value_row = 0;

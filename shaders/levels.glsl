@@ -2,7 +2,7 @@
 // and footprints that are longer than wide.
 // Based on: Lutz et al. 2019 (which patches lie under a block, and contents premultiplied by their cover of it).
 // Needs noise.glsl and, bound as README.md says, level_table, level_blocks, level_entries,
-// level_count, first_level.
+// level_count, first_level; level_row, block_row, entry_row and value_row, where the scale in use begins in them.
 //
 // `plane` is the base or a map, `kind` how its values change with their content (plane_kind in reference.frag, README.md §6), `values`
 // what every content of every patch shows in the blocks under it. A block of level l, about 2^l x 2^l texels, is told by
@@ -23,11 +23,16 @@ vec4 kind_value(sampler2D plane, int kind, Source source) {
   return turned_normal(value, source, kind == 1 ? 1.0f : -1.0f);
 }
 
+// The number of an entry's value: of the content that its patch shows.
+uint value_number(uint entry, uvec2 owned, uvec2 tile) {
+  uvec2 owner = uvec2(ivec2(int(owned.y & 3u) - 1, int(owned.y >> 2u) - 1));
+  return entry * content_count + uint(drawn_content(int(owned.x), tile + owner));
+}
+
 // One share of a block: what one patch shows there, times how much of the block it covers.
 vec4 entry_value(sampler2D values, uint entry, uvec2 owned, uvec2 tile) {
-  uvec2 owner = uvec2(ivec2(int(owned.y & 3u) - 1, int(owned.y >> 2u) - 1));
-  uint place = entry * content_count + uint(drawn_content(int(owned.x), tile + owner));
-  return texelFetch(values, ivec2(int(place & 4095u), int(place >> 12u)), 0);
+  uint number = value_number(entry, owned, tile);
+  return texelFetch(values, ivec2(int(number & 4095u), int(number >> 12u) + value_row), 0);
 }
 
 // The sum of all shares, in the order of the list. `block` is a texel of level_blocks: the first entry; its patch idx,
@@ -36,7 +41,7 @@ vec4 shares_value(sampler2D values, uvec4 block, uvec2 tile) {
   PRECISE vec4 sum = entry_value(values, block.x, uvec2(block.y & 65535u, (block.y >> 16u) & 15u), tile);
   uint end = block.x + (block.y >> 20u);
   for (uint entry = block.x + 1u; entry <= end; ++entry) {
-    uvec4 owned = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u)), 0);
+    uvec4 owned = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
     sum = sum + entry_value(values, entry, uvec2(owned.x, owned.y), tile);
   }
   return sum;
@@ -69,10 +74,10 @@ Grid grid_of(int level) {
   grid.side_256 = ivec2(256, 256);
   grid.shift = ivec2(8, 8);
   if (level == 0) return grid;
-  ivec4 places = texelFetch(level_table, ivec2(0, level), 0);
-  ivec4 sides = texelFetch(level_table, ivec2(1, level), 0);
+  ivec4 places = texelFetch(level_table, ivec2(0, level + level_row), 0);
+  ivec4 sides = texelFetch(level_table, ivec2(1, level + level_row), 0);
   grid.blocks = ivec2(places.x, places.y);
-  grid.corner = ivec2(places.z, places.w);
+  grid.corner = ivec2(places.z, places.w + block_row);
   grid.side_256 = ivec2(sides.x, sides.y);
   grid.shift = ivec2(sides.z, sides.w);
   return grid;
@@ -104,37 +109,49 @@ Texel surrounding_block(Texel first, Grid grid, int corner) {
   return block;
 }
 
-// Between the four blocks whose centres surround a point. Beyond the last level: the mean of all that may be drawn.
-// Loops rather than calls side by side, here and below: drivers copy what a call does into every place that calls.
-vec4 level_value(sampler2D plane, int kind, sampler2D values, Position at, int level) {
-  if (level > level_count) return texelFetch(values, ivec2(0, 0), 0);
-  Grid grid = grid_of(level);
-  // Half a block up and left of the point lies the first of the four.
+// The upper left of the four blocks whose centres surround a point, and how far the point lies from its centre, in 1/256
+// of its side.
+struct BlockCorner {
+  Texel first;
+  ivec2 fraction;  // 0 ... 255
+};
+
+BlockCorner block_corner(Position at, Grid grid) {
   int x = at.offset.x - (grid.side_256.x >> 1);
   int y = at.offset.y - (grid.side_256.y >> 1);
-  Texel first;
-  first.tile = at.tile;
+  BlockCorner corner;
+  corner.first.tile = at.tile;
   if (x < 0) {
     x += tile_size.x * 256;
-    first.tile.x -= 1u;
+    corner.first.tile.x -= 1u;
   }
   if (y < 0) {
     y += tile_size.y * 256;
-    first.tile.y -= 1u;
+    corner.first.tile.y -= 1u;
   }
   ivec2 across = block_and_fraction(x, grid.side_256.x, grid.shift.x);
   ivec2 down = block_and_fraction(y, grid.side_256.y, grid.shift.y);
-  first.p = ivec2(across.x, down.x);
+  corner.first.p = ivec2(across.x, down.x);
+  corner.fraction = ivec2(across.y, down.y);
+  return corner;
+}
+
+// Between the four blocks whose centres surround a point. Beyond the last level: the mean of all that may be drawn.
+// Loops rather than calls side by side, here and below: drivers copy what a call does into every place that calls.
+vec4 level_value(sampler2D plane, int kind, sampler2D values, Position at, int level) {
+  if (level > level_count) return texelFetch(values, ivec2(0, value_row), 0);
+  Grid grid = grid_of(level);
+  BlockCorner around = block_corner(at, grid);
   vec4 left = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   vec4 upper = left;
   vec4 lower = left;
   for (int corner = 0; corner < 4; ++corner) {
-    vec4 value = block_value(plane, kind, values, surrounding_block(first, grid, corner), grid);
+    vec4 value = block_value(plane, kind, values, surrounding_block(around.first, grid, corner), grid);
     if ((corner & 1) == 0) left = value;
-    else if (corner == 1) upper = lerp(left, value, weight_of(across.y));
-    else lower = lerp(left, value, weight_of(across.y));
+    else if (corner == 1) upper = lerp(left, value, weight_of(around.fraction.x));
+    else lower = lerp(left, value, weight_of(around.fraction.x));
   }
-  return lerp(upper, lower, weight_of(down.y));
+  return lerp(upper, lower, weight_of(around.fraction.y));
 }
 
 // Between the two levels next to level_256 / 256, 0 ... level_count + 1.

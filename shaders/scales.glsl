@@ -134,19 +134,22 @@ Shown shown_texel(int scale, Texel at, float variation) {
   return shown;
 }
 
-// The texel `place` of scale `finest`, with the colours of all coarser scales: eq. 5, scale by scale. `variation` is the
-// share that is left of the finest scale's. Leaves another scale in use.
+// A colour with those of all coarser scales in its xyz, and in its w the share of it that a finer scale gets.
+// The texel `place` of scale `finest`: eq. 5, scale by scale. `variation` is the share that is left of the finest scale's.
+// Leaves another scale in use.
 vec4 stacked_texel(int finest, Texel place, float variation) {
   Texel at = place;
   vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   vec4 mean = sum;
   float weight = 1.0f;
+  float giving = 1.0f;
   float share = variation;
   for (int scale = finest; scale >= 0; --scale) {
     use_scale(scale);
     Shown shown = shown_texel(scale, at, share);
     if (scale == finest) {
       sum = shown.color;
+      giving = shown.giving;
     } else {
       weight = weight * shown.giving;
       PRECISE vec4 arrived = sum + (shown.color - mean) * weight;
@@ -158,8 +161,10 @@ vec4 stacked_texel(int finest, Texel place, float variation) {
     share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
     at = coarser_texel(scale, shown.anchor);
   }
-  return sum;
+  return vec4(sum.x, sum.y, sum.z, giving);
 }
+
+vec4 without_w(vec4 color) { return vec4(color.x, color.y, color.z, 0.0f); }
 
 // Of the four texels around a point, by the upper left one: 0 that, 1 upper right, 2 lower left, 3 lower right.
 Texel surrounding_texel(Texel upper_left, int corner) {
@@ -169,90 +174,37 @@ Texel surrounding_texel(Texel upper_left, int corner) {
   return texel;
 }
 
-// The discrete function of a scale: what its texel `at` shows. Where it takes the coarser colour between four texels of
-// the scale before it, those are stacked and blended first. Loops rather than calls side by side, here and below:
-// drivers copy what a call does into every place that calls.
-vec4 scale_texel(int scale, Texel at, float variation) {
-  use_scale(scale);
-  bool between = scale > 0 && (transfer_bits & 3) == 2;
-  vec4 own = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  vec4 mean = own;
-  float taking = 0.0f;
-  int first = scale;
-  float share = variation;
-  Texel start = at;
-  ivec2 fraction = ivec2(0, 0);
-  if (between) {
-    Shown shown = shown_texel(scale, at, variation);
-    own = shown.color;
-    mean = shown.mean;
-    taking = shown.taking;
-    share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
-    Position center;
-    center.tile = at.tile;
-    center.offset = ivec2(at.p.x * 256 + 128, at.p.y * 256 + 128);
-    Position place = coarser_position(scale, center);
-    first = scale - 1;
-    use_scale(first);
-    Position corner = upper_left_center(place);
-    start = texel_at(corner);
-    fraction = ivec2(corner.offset.x & 255, corner.offset.y & 255);
-  }
-  int count = between ? 4 : 1;
-  float across = weight_of(fraction.x);
-  vec4 left = own;
-  vec4 upper = own;
-  vec4 lower = own;
-  for (int i = 0; i < count; ++i) {
-    use_scale(first);
-    vec4 value = stacked_texel(first, surrounding_texel(start, i), share);
-    if ((i & 1) == 0) left = value;
-    else if (i == 1) upper = lerp(left, value, across);
-    else lower = lerp(left, value, across);
-  }
-  if (!between) return left;
-  vec4 coarse = lerp(upper, lower, weight_of(fraction.y));
-  PRECISE vec4 arrived = own + (coarse - mean) * taking;
-  return arrived;
-}
-
-// A point of one scale: the texel in which it lies, or between the four around it.
-vec4 filtered_scale(int scale, Position at, float variation, int smooth_filter) {
-  use_scale(scale);
-  Position corner = at;
-  if (smooth_filter != 0) corner = upper_left_center(at);
+// What stacked_texel gives of the scale before `scale`, between the four texels around a point of `scale`. Loops rather than
+// calls side by side: drivers copy what a call does into every place that calls.
+vec4 coarser_between(int scale, Position at, float coarser_share) {
+  Position place = coarser_position(scale, at);
+  use_scale(scale - 1);
+  Position corner = upper_left_center(place);
   Texel start = texel_at(corner);
-  int count = smooth_filter == 0 ? 1 : 4;
-  float across = weight_of(corner.offset.x & 255);
   vec4 left = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   vec4 upper = left;
   vec4 lower = left;
-  for (int i = 0; i < count; ++i) {
-    use_scale(scale);
-    vec4 value = scale_texel(scale, surrounding_texel(start, i), variation);
+  for (int i = 0; i < 4; ++i) {
+    use_scale(scale - 1);
+    vec4 value = stacked_texel(scale - 1, surrounding_texel(start, i), coarser_share);
     if ((i & 1) == 0) left = value;
-    else if (i == 1) upper = lerp(left, value, across);
-    else lower = lerp(left, value, across);
+    else if (i == 1) upper = lerp(left, value, weight_of(corner.offset.x & 255));
+    else lower = lerp(left, value, weight_of(corner.offset.x & 255));
   }
-  if (count == 1) return left;
+  use_scale(scale);
   return lerp(upper, lower, weight_of(corner.offset.y & 255));
 }
 
-// A point between two scales: `fading` is 0 where `scale` shows alone and 1 where the one before it does; `variation` is
-// the share of its variation that `scale` still has. `smooth_filter` is 0 for nearest, 1 for bilinear.
-vec4 stacked_value(int scale, Position at, float fading, float variation, int smooth_filter) {
-  vec4 blended = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  Position place = at;
-  for (int i = 0; i < 2; ++i) {
-    if (i == 0 && fading == 1.0f) continue;
-    if (i == 1 && fading == 0.0f) break;
-    if (i == 1) {
-      use_scale(scale);
-      place = coarser_position(scale, at);
-    }
-    vec4 value = filtered_scale(scale - i, place, i == 0 ? variation : 1.0f, smooth_filter);
-    if (i == 0 || fading == 1.0f) blended = value;
-    else blended = lerp(blended, value, fading);
-  }
-  return blended;
+// The discrete function of a scale: what its texel `at` shows. Leaves another scale in use.
+vec4 scale_texel(int scale, Texel at, float variation) {
+  use_scale(scale);
+  if (scale == 0 || (transfer_bits & 3) != 2) return without_w(stacked_texel(scale, at, variation));
+  Shown shown = shown_texel(scale, at, variation);
+  float coarser_share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
+  Position center;
+  center.tile = at.tile;
+  center.offset = ivec2(at.p.x * 256 + 128, at.p.y * 256 + 128);
+  vec4 coarse = coarser_between(scale, center, coarser_share);
+  PRECISE vec4 arrived = shown.color + (without_w(coarse) - shown.mean) * (shown.taking * coarse.w);
+  return arrived;
 }

@@ -35,9 +35,13 @@ std::string reference_core(ShaderLanguage language) {
                        "deform.glsl", "levels.glsl"});
 }
 
-std::string stack_fragment_shader(ShaderLanguage language) {
+std::string stack_core(ShaderLanguage language) {
   return concatenated({prologue(language), "stack_bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl",
-                       "scales.glsl", "stack.frag"});
+                       "noise.glsl", "levels.glsl", "scales.glsl", "stack_levels.glsl"});
+}
+
+std::string stack_fragment_shader(ShaderLanguage language) {
+  return stack_core(language) + concatenated({"stack.frag"});
 }
 
 std::string reference_vertex_shader(ShaderLanguage language) {

@@ -3,8 +3,9 @@ uniform uvec2 origin_tile;    // as in reference.frag, in terms of the scale tha
 uniform ivec2 origin_offset;
 uniform uint step_256;
 uniform ivec2 first_row;
-uniform int filter_kind;      // 0 nearest, 1 bilinear
+uniform int filter_kind;      // 0 nearest, 1 bilinear or trilinear
 uniform int view_scale;       // the scale that shows
+uniform int level_256;        // its level of detail in 1/256, 0 ... 256 (level_count + 1)
 uniform float fading;         // 0 ... 1: how far it has faded into the one before it
 uniform float variation;      // 0 ... 1: share of its variation that it still has
 
@@ -24,5 +25,14 @@ void main() {
   Decision decision = decide(texel);
   Source source = source_of(texel, decision);
   decided = uvec4(uint(decision.patch_idx), uint(decision.content), uint(source.nearest.x), uint(source.nearest.y));
-  value = stacked_value(view_scale, at, fading, variation, filter_kind);
+  StackProbes seen;
+  seen.row.at = at;
+  seen.row.axis_256 = ivec2(0, 0);
+  seen.row.halvings = 0;
+  seen.row.level_256 = level_256;
+  seen.scale = view_scale;
+  seen.coarser_halvings = 0;
+  seen.fading = fading;
+  seen.variation = variation;
+  value = stack_probes_value(seen, filter_kind);
 }

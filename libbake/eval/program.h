@@ -31,6 +31,10 @@ struct Program {
   ivec2 turbulence{0, 6};
   int plane_row = 0;
   int first_patch = 0;
+  int level_row = 0;
+  int block_row = 0;
+  int entry_row = 0;
+  int value_row = 0;
 
   // A stack of scales.
   fragment_sampler2D fragment_plane;
@@ -38,6 +42,11 @@ struct Program {
   isampler2D scale_table;
   sampler2D class_table;
   sampler2D mean_table;
+  sampler2D base_levels;
+  Sampler<FragmentRange> fragment_ranges;
+  isampler2D fragment_shares;
+  int dominant_row = 0;
+  int range_row = 0;
   int scale_count = 1;
   uint stack_seed = 0;
   uvec4 nesting[8] = {};
@@ -66,6 +75,8 @@ struct Program {
 //
 #include "shaders/scales.glsl"
 //
+#include "shaders/stack_levels.glsl"
+//
 #include "shaders/relief.glsl"
 #undef PRECISE
 };
@@ -77,5 +88,6 @@ using Position = Program::Position;
 using Footprint = Program::Footprint;
 using Probes = Program::Probes;
 using Grid = Program::Grid;
+using StackProbes = Program::StackProbes;
 
 }  // namespace texbake::glsl

@@ -22,12 +22,12 @@ glsl::vec4 relief_value(glsl::Program& program, const StackPlanes& planes, const
   program.use_scale(view.scale);
   const glsl::Position shown = moved_alike(program, outer, met, planes.sizes[0], at, ratio);
   const int smooth = filter == Filter::nearest ? 0 : 1;
-  return program.stacked_value(view.scale, shown, view.fading, view.variation, smooth) * light;
+  return program.stack_probes_value(stack_probes(view, shown), smooth) * light;
 }
 
 Image<V3f> render_relief_rows(const StackPlanes& planes, const Relief& relief, const Direction& viewer,
                               const Window& window, int row_begin, int row_end) {
-  const ScaleView view = scale_view(planes, window.step_256 / 256.0);
+  const ScaleView view = scale_view(planes, window);
   const Window shown = window_in_scale(planes, window, view.scale);
   check_window(shown, planes.sizes[static_cast<size_t>(view.scale)]);
   glsl::Program bound = program_of(planes, shown.seed, reference_near(planes, shown, view.scale));

@@ -4,26 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "libbake/base/error.h"
-#include "libbake/base/parallel.h"
 #include "libbake/color/luv.h"
 #include "libbake/eval/box_mean.h"
 #include "libbake/eval/program_of.h"
+#include "libbake/eval/scale_detail.h"
+#include "libbake/eval/stacked.h"
 
 namespace texbake {
 namespace {
 
 // Bits of scale_table, as shown_texel of scales.glsl reads them.
 constexpr int kLocalMean = 4, kNoVariation = 8, kNoCoarseVariation = 16, kLabels = 32;
-
-V2i size_of(const StackScale& scale) { return {scale.input.base.width(), scale.input.base.height()}; }
-
-size_t classes_of(const StackScale& scale) {
-  return scale.input.colors ? scale.input.colors->palette.classes.size() : 1;
-}
-
-float entry(const std::vector<float>& list, size_t i) { return list.empty() ? 1.0f : list[i]; }
 
 bool any_other_than_one(const std::vector<float>& list) {
   return std::any_of(list.begin(), list.end(), [](float x) { return x != 1.0f; });
@@ -38,41 +32,6 @@ void check_list(const std::vector<float>& list, size_t classes, const char* what
     if (!(x >= 0 && x <= 16)) throw Error(ErrorKind::bad_data, fmt::format("{}: expected 0 to 16, found {}", what, x));
 }
 
-/// The images of all scales, one below the other; narrower ones leave the right side as `empty`.
-template <class T>
-Image<T> stacked(const std::vector<const Image<T>*>& images, T empty) {
-  int width = 1, height = 0;
-  for (const Image<T>* image : images) {
-    width = std::max(width, image->width());
-    height += image->height();
-  }
-  Image<T> all(width, height, empty);
-  int row = 0;
-  for (const Image<T>* image : images)
-    for (int y = 0; y < image->height(); ++y, ++row) std::copy_n(image->row(y), image->width(), all.row(row));
-  return all;
-}
-
-Image<glsl::FragmentTexel> fragment_plane(const StackScale& scale) {
-  const V2i size = size_of(scale);
-  Image<glsl::FragmentTexel> plane(size.x, size.y);
-  const FragmentMap* fragments = scale.input.fragments;
-  const PrincipalVariation* colors = scale.input.colors;
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x) {
-      glsl::FragmentTexel& texel = plane(x, y);
-      if (colors) texel.class_idx = colors->index(x, y);
-      if (!fragments) continue;
-      const uint32_t idx = fragments->partition.idx(x, y);
-      const OwnerOffset owner = fragments->partition.owner(x, y);
-      const V2i way = fragments->partition.centers[idx] + V2i(owner.x * size.x - x, owner.y * size.y - y);
-      texel.center_x = static_cast<int16_t>(way.x);
-      texel.center_y = static_cast<int16_t>(way.y);
-      texel.fragment_class = static_cast<int16_t>(fragments->fragments[idx].class_idx);
-    }
-  return plane;
-}
-
 /// Colours of the classes and what §8 lets a person choose for each: two rows.
 void add_classes(const StackScale& scale, const ScaleTransfer* finer, std::vector<glsl::vec4> (&rows)[2]) {
   const ScaleTransfer own = scale.transfer ? *scale.transfer : ScaleTransfer{};
@@ -82,49 +41,6 @@ void add_classes(const StackScale& scale, const ScaleTransfer* finer, std::vecto
     rows[0].emplace_back(color.x, color.y, color.z, entry(own.detail_gains, k));
     rows[1].emplace_back(entry(own.weights, k), entry(giving, k), 0.0f, 0.0f);
   }
-}
-
-/// Means over a tile, in double, of the dominant part and of the whole with the gains of its classes.
-struct TileMeans {
-  V3f dominant, whole;
-};
-
-TileMeans tile_means(const StackScale& scale, const Image<V3f>& detail) {
-  Imath::V3d dominant(0), whole(0);
-  const PrincipalVariation* colors = scale.input.colors;
-  std::vector<V3f> dominants;
-  if (colors)
-    for (const ColorClass& c : colors->palette.classes) dominants.push_back(linear_from_luv(c.dominant));
-  for (int y = 0; y < detail.height(); ++y) {
-    Imath::V3d dominant_row(0), whole_row(0);
-    for (int x = 0; x < detail.width(); ++x) {
-      whole_row += Imath::V3d(detail(x, y));
-      if (colors) dominant_row += Imath::V3d(dominants[colors->index(x, y)]);
-    }
-    dominant += dominant_row;
-    whole += whole_row;
-  }
-  const double texels = static_cast<double>(detail.size());
-  return {V3f(dominant / texels), V3f(whole / texels)};
-}
-
-/// The base with the gains of its classes: what a scale adds to the coarser colour.
-Image<V3f> detail_of(const StackScale& scale) {
-  const ImageView<const V3f> base = scale.input.base;
-  Image<V3f> detail(base.width(), base.height());
-  const bool gains = scale.transfer && scale.input.colors && !scale.transfer->detail_gains.empty();
-  std::vector<V3f> dominants;
-  if (gains)
-    for (const ColorClass& c : scale.input.colors->palette.classes) dominants.push_back(linear_from_luv(c.dominant));
-  for (int y = 0; y < base.height(); ++y)
-    for (int x = 0; x < base.width(); ++x) {
-      detail(x, y) = base(x, y);
-      if (!gains) continue;
-      const size_t k = scale.input.colors->index(x, y);
-      const float gain = scale.transfer->detail_gains[k];
-      if (gain != 1.0f) detail(x, y) = dominants[k] + (base(x, y) - dominants[k]) * gain;
-    }
-  return detail;
 }
 
 int transfer_bits(const StackScale& scale, const ScaleTransfer* finer) {
@@ -140,8 +56,6 @@ int transfer_bits(const StackScale& scale, const ScaleTransfer* finer) {
   return reads_labels ? bits | kLabels : bits;
 }
 
-glsl::vec4 texel_of(const V3f& color) { return {color.x, color.y, color.z, 0}; }
-
 template <class T>
 Image<T> image_of(const std::vector<T> (&rows)[2], T empty) {
   Image<T> image(static_cast<int>(rows[0].size()), 2, empty);
@@ -151,18 +65,11 @@ Image<T> image_of(const std::vector<T> (&rows)[2], T empty) {
 
 /// A table of one row for each scale.
 template <class T>
-Image<T> transposed(const std::vector<T> (&columns)[2], T empty) {
-  Image<T> image(2, static_cast<int>(columns[0].size()), empty);
+Image<T> transposed(std::span<const std::vector<T>> columns, T empty) {
+  Image<T> image(static_cast<int>(columns.size()), static_cast<int>(columns[0].size()), empty);
   for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < 2; ++x) image(x, y) = columns[x][static_cast<size_t>(y)];
+    for (int x = 0; x < image.width(); ++x) image(x, y) = columns[static_cast<size_t>(x)][static_cast<size_t>(y)];
   return image;
-}
-
-template <class T>
-std::vector<const Image<T>*> pointers_to(const std::vector<Image<T>>& images) {
-  std::vector<const Image<T>*> pointers;
-  for (const Image<T>& image : images) pointers.push_back(&image);
-  return pointers;
 }
 
 /// Takes the scales from coarse to fine, then puts them together.
@@ -171,6 +78,7 @@ class StackBuilder {
   void add(const StackScale& scale, const ScaleTransfer* finer) {
     EvaluatorInput input = scale.input;
     input.maps.clear();  // a stack passes colours alone
+    input.soft_border_px = 0;
     planes_.push_back(prepare(input));
     const EvaluatorPlanes& own = planes_.back();
     const ScaleTransfer transfer = scale.transfer ? *scale.transfer : ScaleTransfer{};
@@ -179,6 +87,8 @@ class StackBuilder {
     add_classes(scale, finer, classes_);
     scales_[0].emplace_back(own.size.x, own.size.y, row_, patch_);
     scales_[1].emplace_back(own.content_count, transfer.ratio, first_class_, transfer_bits(scale, finer));
+    scales_[2].emplace_back(0, 0, 0, 0);
+    scales_[3].emplace_back(0, 0, 0, static_cast<int>(std::lround(256 * transfer.variation_fade)));
     stack_.sizes.push_back(own.size);
     stack_.transfers.push_back(transfer);
     stack_.content_counts.push_back(own.content_count);
@@ -206,8 +116,8 @@ class StackBuilder {
     for (const EvaluatorPlanes& scale : planes_)
       center = std::copy_n(scale.centers.data(), scale.centers.width(), center);
     stack_.local_mean = stacked_local_means();
-    stack_.scale_table = transposed(scales_, glsl::ivec4{0, 0, 0, 0});
-    stack_.mean_table = transposed(means_, kNothing);
+    stack_.scale_table = transposed<glsl::ivec4>(scales_, glsl::ivec4{0, 0, 0, 0});
+    stack_.mean_table = transposed<glsl::vec4>(means_, kNothing);
     stack_.class_table = image_of(classes_, kNothing);
     return std::move(stack_);
   }
@@ -238,7 +148,7 @@ class StackBuilder {
   std::vector<EvaluatorPlanes> planes_;
   std::vector<Image<glsl::FragmentTexel>> fragments_;
   std::vector<Image<glsl::vec4>> local_means_;
-  std::vector<glsl::ivec4> scales_[2];
+  std::vector<glsl::ivec4> scales_[4];
   std::vector<glsl::vec4> classes_[2];
   std::vector<glsl::vec4> means_[2];
   int row_ = 0, patch_ = 0, first_class_ = 0;
@@ -313,6 +223,12 @@ glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 r
   program.scale_table = sampler_of(planes.scale_table);
   program.class_table = sampler_of(planes.class_table);
   program.mean_table = sampler_of(planes.mean_table);
+  program.level_table = sampler_of(planes.level_table);
+  program.level_blocks = sampler_of(planes.level_blocks);
+  program.level_entries = sampler_of(planes.level_entries);
+  program.base_levels = sampler_of(planes.base_levels);
+  program.fragment_ranges = sampler_of(planes.fragment_ranges);
+  program.fragment_shares = sampler_of(planes.fragment_shares);
   program.scale_count = planes.scale_count();
   program.stack_seed = seed;
   const Nesting nesting = nesting_at(planes, reference);

@@ -31,9 +31,17 @@ struct StackPlanes {
   Image<glsl::ivec4> scale_table;
   Image<glsl::vec4> class_table;
   Image<glsl::vec4> mean_table;
+  Image<glsl::ivec4> level_table;  ///< this and what follows: empty until add_levels (stack_levels.h)
+  Image<glsl::LevelBlock> level_blocks;
+  Image<glsl::PatchTexel> level_entries;
+  Image<glsl::vec4> base_levels;
+  Image<glsl::FragmentRange> fragment_ranges;
+  Image<glsl::ivec4> fragment_shares;
 
   int scale_count() const { return static_cast<int>(sizes.size()); }
   int finest() const { return scale_count() - 1; }
+  /// Levels of detail of a scale beside level 0.
+  int level_count(int scale) const { return scale_table(2, scale).w; }
   /// Texels of the finest scale along one texel of `scale`.
   int64_t texels_in(int scale) const;
 };

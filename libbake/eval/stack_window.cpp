@@ -60,6 +60,19 @@ ScaleView scale_view(const StackPlanes& planes, double texels) {
   return view;
 }
 
+ScaleView scale_view(const StackPlanes& planes, const Window& window) {
+  ScaleView view = scale_view(planes, window.step_256 / 256.0);
+  if (needs_levels(window))
+    view.level_256 = level_256_of(window_in_scale(planes, window, view.scale), planes.level_count(view.scale));
+  // A scale that fades has no mean of its own beyond its last level.
+  if (view.scale > 0) view.level_256 = std::min(view.level_256, 256 * planes.level_count(view.scale));
+  return view;
+}
+
+glsl::StackProbes stack_probes(const ScaleView& view, const Position& at) {
+  return {{at, {0, 0}, 0, view.level_256}, view.scale, 0, view.fading, view.variation};
+}
+
 Window window_in_scale(const StackPlanes& planes, const Window& window, int scale) {
   const int64_t texels = planes.texels_in(scale);
   if (texels == 1) return window;
@@ -82,16 +95,16 @@ Image<V3f> render_scale_rows(const StackPlanes& planes, const Window& window, co
                              int row_end) {
   check_window(window, planes.sizes[static_cast<size_t>(view.scale)]);
   Image<V3f> rows(window.width, row_end - row_begin);
-  for_each_pixel(
-      planes, window, view.scale, row_begin, row_end, [&](Program& program, int i, int j, const Position& at) {
-        const glsl::vec4 value = program.stacked_value(view.scale, at, view.fading, view.variation, filter_of(window));
-        rows(i, j) = {value.x, value.y, value.z};
-      });
+  for_each_pixel(planes, window, view.scale, row_begin, row_end,
+                 [&](Program& program, int i, int j, const Position& at) {
+                   const glsl::vec4 value = program.stack_probes_value(stack_probes(view, at), filter_of(window));
+                   rows(i, j) = {value.x, value.y, value.z};
+                 });
   return rows;
 }
 
 Image<V3f> render_stack_rows(const StackPlanes& planes, const Window& window, int row_begin, int row_end) {
-  const ScaleView view = scale_view(planes, window.step_256 / 256.0);
+  const ScaleView view = scale_view(planes, window);
   return render_scale_rows(planes, window_in_scale(planes, window, view.scale), view, row_begin, row_end);
 }
 
@@ -105,7 +118,7 @@ Frame reference_stack_frame(const StackPlanes& planes, const Window& window, con
     const glsl::Source source = program.source_of(texel, decision);
     frame.decisions(i, j) = {static_cast<uint32_t>(decision.patch_idx), static_cast<uint32_t>(decision.content),
                              static_cast<uint32_t>(source.nearest.x), static_cast<uint32_t>(source.nearest.y)};
-    frame.values(i, j) = program.stacked_value(view.scale, at, view.fading, view.variation, filter_of(window));
+    frame.values(i, j) = program.stack_probes_value(stack_probes(view, at), filter_of(window));
   });
   return frame;
 }

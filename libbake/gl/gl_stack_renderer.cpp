@@ -8,12 +8,16 @@
 namespace texbake {
 namespace {
 
+/// One texel of zeros stands for levels that were not added.
 template <class T>
 GlTexture upload(const GlFunctions& gl, const GlFormat& format, const Image<T>& image) {
+  constexpr uint32_t kZeros[4] = {};
+  if (image.empty()) return GlTexture(gl, format, 1, 1, kZeros);
   return GlTexture(gl, format, image.width(), image.height(), image.data());
 }
 
-static_assert(sizeof(glsl::uvec4) == 16 && sizeof(glsl::ivec2) == 8 && sizeof(glsl::FragmentTexel) == 8,
+static_assert(sizeof(glsl::uvec4) == 16 && sizeof(glsl::ivec2) == 8 && sizeof(glsl::FragmentTexel) == 8 &&
+                  sizeof(glsl::FragmentRange) == 8,
               "uniforms and texels are given to OpenGL as they lie in memory");
 
 }  // namespace
@@ -27,7 +31,7 @@ struct GlStackRenderer::State {
   const GlFunctions& gl;
   const StackPlanes& planes;
   GlProgram program;
-  std::array<Bound, 9> textures;
+  std::array<Bound, 15> textures;
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
 
@@ -43,7 +47,13 @@ struct GlStackRenderer::State {
                   {"local_mean", upload(gl, kRgba32f, stack.local_mean)},
                   {"scale_table", upload(gl, kRgba32i, stack.scale_table)},
                   {"class_table", upload(gl, kRgba32f, stack.class_table)},
-                  {"mean_table", upload(gl, kRgba32f, stack.mean_table)}}} {
+                  {"mean_table", upload(gl, kRgba32f, stack.mean_table)},
+                  {"level_table", upload(gl, kRgba32i, stack.level_table)},
+                  {"level_blocks", upload(gl, kRg32ui, stack.level_blocks)},
+                  {"level_entries", upload(gl, kRg16ui, stack.level_entries)},
+                  {"base_levels", upload(gl, kRgba32f, stack.base_levels)},
+                  {"fragment_ranges", upload(gl, kRg32ui, stack.fragment_ranges)},
+                  {"fragment_shares", upload(gl, kRgba32i, stack.fragment_shares)}}} {
     gl.GenVertexArrays(1, &vertex_array);
   }
   ~State() { gl.DeleteVertexArrays(1, &vertex_array); }
@@ -69,6 +79,7 @@ struct GlStackRenderer::State {
     gl.Uniform2i(program.uniform("first_row"), 0, 1);  // the lowest line, read first, is the top row
     gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::nearest ? 0 : 1);
     gl.Uniform1i(program.uniform("view_scale"), view.scale);
+    gl.Uniform1i(program.uniform("level_256"), view.level_256);
     gl.Uniform1f(program.uniform("fading"), view.fading);
     gl.Uniform1f(program.uniform("variation"), view.variation);
   }

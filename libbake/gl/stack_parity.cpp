@@ -10,6 +10,12 @@ std::vector<ScaleView> parity_views(const StackPlanes& planes) {
     views.push_back({scale, 0, 1});
     if (scale > 0) views.push_back({scale, 0.3f, 0.4f});
     if (scale > 0) views.push_back({scale, 0.7f, 0});
+    const int levels = planes.level_count(scale);
+    for (int level = 1; level <= levels; ++level) {
+      const bool fades = scale > 0;
+      const float fading = fades ? static_cast<float>(level) / static_cast<float>(levels + 1) : 0;
+      views.push_back({scale, fading, fades ? 0.5f : 1, level == levels ? level * 256 : level * 256 + 100});
+    }
   }
   return views;
 }

@@ -6,7 +6,8 @@
 
 namespace texbake {
 
-/// Every scale by itself and fading into the one before it, with and without its variation, in turn.
+/// Every scale by itself and fading into the one before it, with and without its variation, and at every level of
+/// detail that was added, in turn.
 std::vector<ScaleView> parity_views(const StackPlanes& planes);
 
 /// The windows of parity_windows, each with a view; more are drawn until every content of every scale was seen.

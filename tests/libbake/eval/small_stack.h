@@ -55,15 +55,16 @@ struct SmallStack {
     transfers.push_back(transfer);
     return *this;
   }
-  StackPlanes planes() const {
+  std::vector<StackScale> scales() const {
     std::vector<StackScale> scales;
     auto transfer = transfers.begin();
     for (const ScaleTile& tile : tiles) {
       scales.push_back({tile.input(), scales.empty() ? nullptr : &*transfer});
       ++transfer;
     }
-    return prepare_stack(scales);
+    return scales;
   }
+  StackPlanes planes() const { return prepare_stack(scales()); }
 };
 
 inline SmallStack two_scales(const ScaleTransfer& transfer, Contents kind = Contents::moved, uint64_t seed = 1) {

@@ -1,0 +1,125 @@
+#include "libbake/eval/stack_levels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "libbake/eval/fragment_shares.h"
+#include "libbake/eval/levels.h"
+#include "libbake/eval/scale_detail.h"
+#include "libbake/eval/stacked.h"
+
+namespace texbake {
+namespace {
+
+/// w: the share of the coarser colour that each texel takes.
+void set_texels(Plane& plane, const Image<V3f>& colors, const Image<float>& taking) {
+  for (size_t i = 0; i < colors.size(); ++i) {
+    const V3f& c = colors.data()[i];
+    plane.texels.data()[i] = {c.x, c.y, c.z, taking.data()[i]};
+  }
+}
+
+Image<float> taking_of(const StackScale& scale) {
+  const V2i size = size_of(scale);
+  Image<float> taking(size.x, size.y, 1.0f);
+  if (!scale.transfer || scale.transfer->weights.empty()) return taking;
+  const Image<glsl::FragmentTexel> labels = fragment_plane(scale);
+  for (size_t i = 0; i < taking.size(); ++i)
+    taking.data()[i] = scale.transfer->weights[static_cast<size_t>(labels.data()[i].fragment_class)];
+  return taking;
+}
+
+/// The planes of one scale with the levels that it needs in a stack.
+struct LeveledScale {
+  EvaluatorPlanes planes;  ///< base: with its gains; map 0: the dominant colours, where there is a coarser scale
+  FragmentShares shares;
+  int level_count = 0;
+};
+
+LeveledScale leveled(const StackScale& scale) {
+  EvaluatorInput input = scale.input;
+  input.maps.clear();
+  input.noise.reset();
+  input.soft_border_px = 0;
+  LeveledScale leveled{prepare(input), {}, 0};
+  EvaluatorPlanes& planes = leveled.planes;
+  const Image<float> taking = taking_of(scale);
+  set_texels(planes.base, detail_of(scale), taking);
+  if (scale.transfer) {
+    planes.maps.push_back(
+        {"dominant", MapKind::plain, 3, Image<glsl::vec4>(planes.size.x, planes.size.y, {0, 0, 0, 0})});
+    set_texels(planes.maps.back(), dominant_of(scale), taking);
+  }
+  add_levels(planes);
+  leveled.level_count = planes.level_count;
+  if (!scale.transfer) return leveled;
+  leveled.level_count = std::min(planes.level_count, last_level(scale.transfer->ratio));
+  if (scale.transfer->mode == TransferMode::fragment)
+    leveled.shares = fragment_shares(scale, planes, level_lists(planes), leveled.level_count);
+  return leveled;
+}
+
+/// The lists of fragments of all scales one after the other, their ranges one below the other.
+void add_fragments(StackPlanes& stack, std::vector<LeveledScale>& scales) {
+  std::vector<const Image<glsl::FragmentRange>*> ranges;
+  std::vector<glsl::ivec4> shares;
+  for (LeveledScale& scale : scales) {
+    for (glsl::FragmentRange& range : scale.shares.ranges) range.first += static_cast<uint32_t>(shares.size());
+    shares.insert(shares.end(), scale.shares.shares.begin(), scale.shares.shares.end());
+    ranges.push_back(&scale.shares.ranges);
+  }
+  stack.fragment_ranges = stacked(ranges, glsl::FragmentRange{});
+  stack.fragment_shares = Image<glsl::ivec4>(kListWidth, std::max(1, list_rows(shares.size())), {0, 0, 0, 0});
+  std::copy(shares.begin(), shares.end(), stack.fragment_shares.begin());
+}
+
+}  // namespace
+
+int last_level(int ratio) { return static_cast<int>(std::bit_width(static_cast<uint32_t>(ratio - 1))); }
+
+void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
+  std::vector<LeveledScale> leveled_scales;
+  for (const StackScale& scale : scales) leveled_scales.push_back(leveled(scale));
+
+  // Bases of all scales first, then dominant colours.
+  std::vector<const Image<glsl::ivec4>*> tables;
+  std::vector<const Image<glsl::LevelBlock>*> blocks;
+  std::vector<const Image<glsl::PatchTexel>*> entries;
+  std::vector<const Image<glsl::vec4>*> values;
+  int level_row = 0, block_row = 0, entry_row = 0, value_row = 0, range_row = 0;
+  for (size_t s = 0; s < scales.size(); ++s) {
+    const LeveledScale& scale = leveled_scales[s];
+    stack.scale_table(2, static_cast<int>(s)) = {level_row, block_row, entry_row, scale.level_count};
+    stack.scale_table(3, static_cast<int>(s)).x = value_row;
+    stack.scale_table(3, static_cast<int>(s)).z = range_row;
+    tables.push_back(&scale.planes.level_table);
+    blocks.push_back(&scale.planes.level_blocks);
+    entries.push_back(&scale.planes.level_entries);
+    values.push_back(&scale.planes.base.level_values);
+    level_row += tables.back()->height();
+    block_row += blocks.back()->height();
+    entry_row += entries.back()->height();
+    value_row += values.back()->height();
+    range_row += scale.shares.ranges.height();
+  }
+  for (size_t s = 1; s < scales.size(); ++s) {
+    stack.scale_table(3, static_cast<int>(s)).y = value_row;
+    values.push_back(&leveled_scales[s].planes.maps[0].level_values);
+    value_row += values.back()->height();
+  }
+  stack.level_table = stacked(tables, glsl::ivec4{0, 0, 0, 0});
+  stack.level_blocks = stacked(blocks, glsl::LevelBlock{});
+  stack.level_entries = stacked(entries, glsl::PatchTexel{});
+  stack.base_levels = stacked(values, glsl::vec4{0, 0, 0, 0});
+  add_fragments(stack, leveled_scales);
+}
+
+StackLevelMemory level_memory(const StackPlanes& stack) {
+  return {stack.base_levels.size() * sizeof(glsl::vec4),
+          stack.level_blocks.size() * sizeof(glsl::LevelBlock) + stack.level_entries.size() * sizeof(glsl::PatchTexel) +
+              stack.fragment_ranges.size() * sizeof(glsl::FragmentRange) +
+              stack.fragment_shares.size() * sizeof(glsl::ivec4)};
+}
+
+}  // namespace texbake
