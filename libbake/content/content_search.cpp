@@ -1,7 +1,6 @@
 #include "libbake/content/content_search.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <numeric>
 
 #include "libbake/content/group_search.h"
@@ -16,26 +15,6 @@ bool by_error(const Candidate& a, const Candidate& b) {
   return a.turn < b.turn;
 }
 
-// The translations that are not far enough from some others.
-class NearTranslations {
- public:
-  NearTranslations(V2i size, int separation_px) : is_near_(size.x, size.y), separation_px_(separation_px) {}
-
-  void add(V2i t) {
-    const V2i size(is_near_.width(), is_near_.height());
-    const V2i reach(std::min(separation_px_ - 1, size.x / 2), std::min(separation_px_ - 1, size.y / 2));
-    for (int dy = -reach.y; dy <= reach.y; ++dy) {
-      uint8_t* row = is_near_.row(wrap(t.y + dy, size.y));
-      for (int dx = -reach.x; dx <= reach.x; ++dx) row[wrap(t.x + dx, size.x)] = 1;
-    }
-  }
-  bool contains(V2i t) const { return is_near_(t.x, t.y) != 0; }
-
- private:
-  Image<uint8_t> is_near_;
-  int separation_px_;
-};
-
 // Whether a translation of the group at `first` may be used.
 bool any_allowed(V2i first, ImageView<const uint8_t> allowed) {
   if (allowed.empty()) return true;
@@ -47,21 +26,16 @@ bool any_allowed(V2i first, ImageView<const uint8_t> allowed) {
 
 }  // namespace
 
-bool far_enough(V2i a, V2i b, V2i size, int separation_px) {
-  const V2i d = shortest(a - b, size);
-  return std::max(std::abs(d.x), std::abs(d.y)) >= separation_px;
-}
-
-Candidates take_separated(Candidates found, V2i size, const SearchRequest& request) {
-  std::sort(found.begin(), found.end(), by_error);
-  NearTranslations near(size, request.separation_px);
-  near.add({0, 0});
+Candidates take_separated(const Candidates& found, V2i size, const SearchRequest& request) {
+  const auto translation_of = [&](uint32_t i) { return found[i].translation; };
+  const auto before = [&](uint32_t i, uint32_t j) { return by_error(found[i], found[j]); };
+  TakeApart left(static_cast<uint32_t>(found.size()), size, request.separation_px, translation_of, before);
+  left.leave_out({0, 0});
   Candidates taken;
-  for (const Candidate& candidate : found) {
-    if (taken.size() == static_cast<size_t>(request.count)) break;
-    if (near.contains(candidate.translation)) continue;
-    near.add(candidate.translation);
-    taken.push_back(candidate);
+  while (taken.size() < static_cast<size_t>(request.count)) {
+    const uint32_t best = left.take();
+    if (best == left.kNone) break;
+    taken.push_back(found[best]);
   }
   return taken;
 }

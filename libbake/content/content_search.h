@@ -8,6 +8,7 @@
 #include "libbake/base/progress.h"
 #include "libbake/content/class_distances.h"
 #include "libbake/content/patch_border.h"
+#include "libbake/content/take_apart.h"
 
 namespace texbake {
 
@@ -34,12 +35,9 @@ struct SearchResult {
   uint64_t all_error_count = 0;        ///< of E that a search without bounds computes, each patch on its own
 };
 
-/// Whether two translations differ by at least `separation_px` along some axis of the torus (Chebyshev distance).
-bool far_enough(V2i a, V2i b, V2i size, int separation_px);
-
 /// Takes from `found`, in order of (error, y, x, turn), what is far enough from the identity and from everything taken
 /// before, up to `request.count`.
-Candidates take_separated(Candidates found, V2i size, const SearchRequest& request);
+Candidates take_separated(const Candidates& found, V2i size, const SearchRequest& request);
 
 /// take_separated of all width × height translations that are allowed, without computing all of their errors: a sum of
 /// E never falls, so a translation is given up once its sum passes that of the last candidate.

@@ -12,8 +12,22 @@ namespace {
 constexpr int64_t kNoLimit = kExcluded - 1;
 constexpr int kWiderAttempts = 3;        // with limits half as wide again each; after them there are none
 constexpr size_t kFirstRoundShare = 64;  // the first round, which knows no limits yet, takes 1/64 of the tasks
+constexpr size_t kLongestRoundShare = 8;
 
-// One search: rounds of tasks, each as long as all before it, with limits learnt from what the earlier rounds found.
+// A translation and its sum in 12 bytes, since millions are kept at a time.
+class Found {
+ public:
+  Found(uint32_t place, uint64_t error_sum)
+      : place_(place), sum_low_(static_cast<uint32_t>(error_sum)), sum_high_(static_cast<uint32_t>(error_sum >> 32)) {}
+  uint32_t place() const { return place_; }  // y · width + x
+  uint64_t error_sum() const { return uint64_t{sum_high_} << 32 | sum_low_; }
+
+ private:
+  uint32_t place_, sum_low_, sum_high_;
+};
+
+// One search: rounds of tasks, each at most as long as all before it, with limits learnt from what the earlier rounds
+// found.
 class Rounds {
  public:
   Rounds(V2i size, const BorderProgram& program, const DistanceField& field, const std::vector<uint32_t>& order,
@@ -30,8 +44,9 @@ class Rounds {
 
   void run(std::span<const GroupTask> tasks, const Progress& progress) {
     const size_t first = (tasks.size() / kFirstRoundShare / kBatch + 1) * kBatch;
+    const size_t longest = (tasks.size() / kLongestRoundShare / kBatch + 1) * kBatch;
     for (size_t begin = 0; begin < tasks.size();) {
-      const size_t end = std::min(tasks.size(), std::max(first, 2 * begin));
+      const size_t end = std::min(tasks.size(), std::max(first, begin + std::min(begin, longest)));
       run_round(tasks.subspan(begin, end - begin));
       begin = end;
       if (begin < tasks.size()) learn_limits();
@@ -63,23 +78,31 @@ class Rounds {
 
  private:
   void run_round(std::span<const GroupTask> tasks) {
-    std::vector<std::vector<Candidates>> found(tasks.size());
-    std::vector<uint64_t> error_counts(tasks.size());
-    parallel_for(0, static_cast<int>((tasks.size() + kBatch - 1) / kBatch), [&](int batch) {
-      const size_t begin = static_cast<size_t>(batch) * kBatch;
-      const size_t end = std::min(begin + kBatch, tasks.size());
+    struct Batch {
+      std::vector<std::vector<Found>> found;  // of each patch
+      uint64_t error_count = 0;
+    };
+    std::vector<Batch> batches((tasks.size() + kBatch - 1) / kBatch);
+    parallel_for(0, static_cast<int>(batches.size()), [&](int b) {
+      Batch& batch = batches[static_cast<size_t>(b)];
+      const size_t begin = static_cast<size_t>(b) * kBatch;
       std::vector<GroupSums> groups;
-      for (size_t i = begin; i < end; ++i) groups.push_back(start(tasks[i]));
+      for (const GroupTask& task : tasks.subspan(begin, std::min<size_t>(kBatch, tasks.size() - begin)))
+        groups.push_back(start(task));
       add_group_errors(program_, order_, field_, limits_, groups);
-      for (size_t i = begin; i < end; ++i) {
-        found[i] = survivors(groups[i - begin]);
-        error_counts[i] = groups[i - begin].error_count;
+      batch.found.resize(open_.size());
+      for (const GroupSums& group : groups) {
+        batch.error_count += group.error_count;
+        for (size_t patch = 0; patch < open_.size(); ++patch) add_survivors(group, patch, batch.found[patch]);
       }
     });
-    for (size_t i = 0; i < found.size(); ++i) {
-      error_count_ += error_counts[i];
-      for (size_t patch = 0; patch < found[i].size(); ++patch)
-        found_[patch].insert(found_[patch].end(), found[i][patch].begin(), found[i][patch].end());
+    for (const Batch& batch : batches) error_count_ += batch.error_count;
+    for (size_t patch = 0; patch < open_.size(); ++patch) {
+      size_t count = found_[patch].size();
+      for (const Batch& batch : batches) count += batch.found[patch].size();
+      found_[patch].reserve(count);  // no more than needed: this is most of the memory of a search
+      for (const Batch& batch : batches)
+        found_[patch].insert(found_[patch].end(), batch.found[patch].begin(), batch.found[patch].end());
     }
   }
 
@@ -102,22 +125,43 @@ class Rounds {
     return group;
   }
 
-  std::vector<Candidates> survivors(const GroupSums& group) const {
-    std::vector<Candidates> found(open_.size());
-    for (size_t patch = 0; patch < open_.size(); ++patch)
-      for (int lane = 0; group.alive[patch] && lane < kGroupSize; ++lane) {
-        const int64_t sum = group.sums[patch * kGroupSize + static_cast<size_t>(lane)];
-        if (sum <= limits_[patch])
-          found[patch].push_back({translation(group.translation, lane), static_cast<uint64_t>(sum)});
-      }
-    return found;
+  void add_survivors(const GroupSums& group, size_t patch, std::vector<Found>& found) const {
+    if (!group.alive[patch]) return;
+    for (int lane = 0; lane < kGroupSize; ++lane) {
+      const int64_t sum = group.sums[patch * kGroupSize + static_cast<size_t>(lane)];
+      if (sum > limits_[patch]) continue;
+      const V2i t = translation(group.translation, lane);
+      found.emplace_back(static_cast<uint32_t>(t.y) * static_cast<uint32_t>(size_.x) + static_cast<uint32_t>(t.x),
+                         static_cast<uint64_t>(sum));
+    }
+  }
+
+  // take_separated of what a patch has found.
+  Candidates take(size_t patch, int count) const {
+    const std::vector<Found>& found = found_[patch];
+    const auto translation_of = [&](uint32_t i) {
+      const auto width = static_cast<uint32_t>(size_.x);
+      return V2i(static_cast<int>(found[i].place() % width), static_cast<int>(found[i].place() / width));
+    };
+    const auto before = [&](uint32_t i, uint32_t j) {
+      const uint64_t a = found[i].error_sum(), b = found[j].error_sum();
+      return a != b ? a < b : found[i].place() < found[j].place();
+    };
+    TakeApart left(static_cast<uint32_t>(found.size()), size_, request_.separation_px, translation_of, before);
+    Candidates taken;
+    while (taken.size() < static_cast<size_t>(count)) {
+      const uint32_t best = left.take();
+      if (best == left.kNone) break;
+      taken.push_back({translation_of(best), found[best].error_sum()});
+    }
+    return taken;
   }
 
   void take_all() {
     parallel_for(0, static_cast<int>(open_.size()), [&](int i) {
       const auto patch = static_cast<size_t>(i);
-      if (open_[patch]) taken_[patch] = take_separated(std::move(found_[patch]), size_, request_);
-      found_[patch].clear();
+      if (open_[patch]) taken_[patch] = take(patch, request_.count);
+      found_[patch] = {};
     });
   }
 
@@ -125,17 +169,15 @@ class Rounds {
   // since a better translation found later may stand in the way of two.
   void learn_limits() {
     if (attempts_ > 0) return;  // what is learnt from the same tasks would be too narrow again
-    SearchRequest wider = request_;
-    wider.count += request_.count / 16;
+    const int wider_count = request_.count + request_.count / 16;
     parallel_for(0, static_cast<int>(open_.size()), [&](int i) {
       const auto patch = static_cast<size_t>(i);
       if (!open_[patch]) return;
-      const Candidates taken = take_separated(found_[patch], size_, wider);
-      if (taken.size() < static_cast<size_t>(wider.count)) return;
+      const Candidates taken = take(patch, wider_count);
+      if (taken.size() < static_cast<size_t>(wider_count)) return;
       limits_[patch] = std::min(limits_[patch], static_cast<int64_t>(taken.back().error_sum));
-      std::erase_if(found_[patch], [&](const Candidate& candidate) {
-        return candidate.error_sum > static_cast<uint64_t>(limits_[patch]);
-      });
+      std::erase_if(found_[patch],
+                    [&](const Found& f) { return f.error_sum() > static_cast<uint64_t>(limits_[patch]); });
     });
   }
 
@@ -146,7 +188,7 @@ class Rounds {
   SearchRequest request_;
   std::vector<uint8_t> open_;
   std::vector<int64_t> limits_;
-  std::vector<Candidates> found_;  // not beyond the limits, of the tasks so far
+  std::vector<std::vector<Found>> found_;  // not beyond the limits, of the tasks so far
   std::vector<Candidates> taken_;
   uint64_t error_count_ = 0;
   int attempts_ = 0;

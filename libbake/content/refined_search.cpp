@@ -31,7 +31,7 @@ Image<T> reduce(ImageView<const T> image, int factor) {
 // How many of the candidates found at reduced size are far enough apart at full size.
 int reachable_count(Candidates reduced, int factor, V2i size, const SearchRequest& request) {
   for (Candidate& candidate : reduced) candidate.translation *= factor;
-  return static_cast<int>(take_separated(std::move(reduced), size, request).size());
+  return static_cast<int>(take_separated(reduced, size, request).size());
 }
 
 // The groups of full-size translations that cover the neighbourhoods of reduced ones, and the patches that want them.

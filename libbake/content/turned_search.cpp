@@ -64,7 +64,7 @@ class PatchSearch {
           if (around[n].error_sum < best[i].error_sum) best[i] = around[n];
       found.insert(found.end(), around.begin(), around.end());
     }
-    return take_separated(std::move(found), size_, request_);
+    return take_separated(found, size_, request_);
   }
 
   uint64_t error_count() const { return error_count_; }
@@ -115,7 +115,7 @@ class PatchSearch {
       std::nth_element(minima.begin(), minima.begin() + kBestBounds, minima.end(), before);
       minima.resize(kBestBounds);
     }
-    Candidates apart = take_separated(std::move(least), size_, {2 * request_.count, request_.separation_px});
+    Candidates apart = take_separated(least, size_, {2 * request_.count, request_.separation_px});
     minima.insert(minima.end(), apart.begin(), apart.end());
     std::sort(minima.begin(), minima.end(), [](const Candidate& a, const Candidate& b) {
       return a.turn != b.turn ? a.turn < b.turn : before(a, b);  // one turn after the other

@@ -89,7 +89,7 @@ std::vector<Candidates> obvious_search(const Tile& tile) {
     Candidates& found = all[static_cast<size_t>(patch)];
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) found.push_back({{x, y}, sums(x, y)});
-    found = take_separated(std::move(found), {side, side}, tile.request);
+    found = take_separated(found, {side, side}, tile.request);
   }
   return all;
 }
