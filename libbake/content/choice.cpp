@@ -9,6 +9,7 @@
 #include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/base/random.h"
+#include "libbake/content/border_steps.h"
 #include "libbake/content/low_passed.h"
 #include "libbake/content/shown_source.h"
 
@@ -17,7 +18,17 @@ namespace {
 
 constexpr int kMaxPasses = 12;
 
-// Everything that the balanced choice knows of one patch. Content numbers: 0 is the identity, 1 + i is candidate i.
+// Content numbers: 0 is the identity, 1 + i is candidate i.
+std::vector<std::vector<Content>> numbered(const ContentCandidates& candidates) {
+  std::vector<std::vector<Content>> contents;
+  for (const std::vector<Content>& of_patch : candidates) {
+    contents.emplace_back(1, Content{});
+    contents.back().insert(contents.back().end(), of_patch.begin(), of_patch.end());
+  }
+  return contents;
+}
+
+// Everything that the balanced choice knows of one patch.
 struct PatchState {
   std::vector<V2i> middles_px;               // of the cells whose middle texel belongs to the patch
   std::vector<std::vector<uint32_t>> cells;  // that show there, with every content number
@@ -33,7 +44,12 @@ class BalancedChoice {
  public:
   BalancedChoice(const ContentCandidates& candidates, ImageView<const V3f> luv, const Partition& patches,
                  const ChoiceWeights& weights)
-      : low_(low_passed(luv)), weights_(weights), use_(low_.color.size(), 0), patches_(candidates.size()) {
+      : low_(low_passed(luv)),
+        weights_(weights),
+        use_(low_.color.size(), 0),
+        patches_(candidates.size()),
+        numbered_(numbered(candidates)),
+        steps_(numbered_, luv, patches) {
     for (int y = 0; y < low_.grid.cells.y; ++y)
       for (int x = 0; x < low_.grid.cells.x; ++x) {
         const V2i p = low_.grid.middle_px({x, y});
@@ -56,7 +72,10 @@ class BalancedChoice {
 
   ChosenCandidates choose(int wanted, uint32_t seed) {
     mean_use_ = static_cast<double>(wanted + 1);
-    for (PatchState& patch : patches_) add(patch, 0);
+    for (size_t p = 0; p < patches_.size(); ++p) {
+      add(patches_[p], 0);
+      steps_.add(p, 0);
+    }
     std::vector<size_t> order(patches_.size());
     std::iota(order.begin(), order.end(), size_t{0});
     Random random(seed, 7);
@@ -65,8 +84,9 @@ class BalancedChoice {
     // Greedy: one more content for every patch in turn, so that all patches share the use of the exemplar.
     for (int round = 0; round < wanted; ++round)
       for (const size_t p : order) {
-        PatchState& patch = patches_[p];
-        add(patch, best_addition(patch).number);
+        const int number = best_addition(p).number;
+        add(patches_[p], number);
+        steps_.add(p, static_cast<size_t>(number));
       }
     // Exchange one content at a time for a better one.
     for (int pass = 0; pass < kMaxPasses && exchange_all(order); ++pass) {
@@ -131,7 +151,8 @@ class BalancedChoice {
   }
 
   // What the objective rises by when `number` joins the patch, less what does not depend on `number`.
-  double cost_of(const PatchState& patch, int number) const {
+  double cost_of(size_t p, int number) const {
+    const PatchState& patch = patches_[p];
     const auto count = static_cast<double>(patch.chosen.size() + 1);
     double mean_energy = 0.0;
     double use = 0.0;
@@ -144,19 +165,22 @@ class BalancedChoice {
     mean_energy /= count * count;
     const double energy = (patch.energy_sum + patch.energies[static_cast<size_t>(number)]) / count;
     const double tile_energy = low_.energy * static_cast<double>(z.size());
-    double cost = weights_.impact * patch.impacts[static_cast<size_t>(number)];
+    // The step at a border is shared by two patches.
+    double cost = weights_.impact * patch.impacts[static_cast<size_t>(number)] +
+                  weights_.steps * 2.0 / mean_use_ * steps_.visibility(p, static_cast<size_t>(number));
     if (energy > 0.0 && tile_energy > 0.0)
       cost += mean_energy / energy + 0.5 * std::fabs(portable_log(energy / tile_energy));
     const auto places = static_cast<double>(use_.size());
     return cost + weights_.use * static_cast<double>(patches_.size()) * use / (places * mean_use_ * mean_use_);
   }
 
-  Addition best_addition(const PatchState& patch) const {
+  Addition best_addition(size_t p) const {
+    const PatchState& patch = patches_[p];
     const int numbers = static_cast<int>(patch.cells.size());
     std::vector<double> costs(static_cast<size_t>(numbers), Addition{}.cost);
     parallel_for(1, numbers, [&](int number) {
       if (std::find(patch.chosen.begin(), patch.chosen.end(), number) == patch.chosen.end())
-        costs[static_cast<size_t>(number)] = cost_of(patch, number);
+        costs[static_cast<size_t>(number)] = cost_of(p, number);
     });
     const auto best = std::min_element(costs.begin(), costs.end());
     return {static_cast<int>(best - costs.begin()), *best};
@@ -170,11 +194,14 @@ class BalancedChoice {
       for (const int number : before) {
         if (number == 0) continue;
         remove(patch, number);
-        const double kept = cost_of(patch, number);
-        const Addition other = best_addition(patch);
+        const double kept = cost_of(p, number);
+        const Addition other = best_addition(p);
         const bool better = other.cost < kept - 1e-9;
         add(patch, better ? other.number : number);
-        improved = improved || better;
+        if (!better) continue;
+        steps_.remove(p, static_cast<size_t>(number));
+        steps_.add(p, static_cast<size_t>(other.number));
+        improved = true;
       }
     }
     return improved;
@@ -184,6 +211,8 @@ class BalancedChoice {
   ChoiceWeights weights_;
   std::vector<int> use_;  // of each cell
   std::vector<PatchState> patches_;
+  std::vector<std::vector<Content>> numbered_;
+  BorderSteps steps_;
   double mean_use_ = 1;
 };
 

@@ -110,6 +110,31 @@ TEST(Choice, BalancedKeepsToLowImpactWhereTheRestIsEqual) {
   EXPECT_THAT(chosen, Each(Each(::testing::Lt(20))));
 }
 
+TEST(Choice, BalancedKeepsBordersUnseenWhereAskedTo) {
+  // A picture of vertical stripes eight texels apart, and candidates half of which move by whole stripes.
+  Image<V3f> luv(kSize, kSize);
+  Random grain(8);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) luv(x, y) = V3f((x / 4 % 2 ? 60.0f : 30.0f) + 2.0f * grain.uniform(), 0, 0);
+  const Partition patches = patches_of_tile();
+  Random random(9);
+  ContentCandidates candidates(kPatchCount);
+  for (auto& of_patch : candidates)
+    for (int i = 0; i < 40; ++i) {
+      const int stripes = 8 * static_cast<int>(random.below(kSize / 8));
+      of_patch.push_back(make_content({stripes + (i % 2 ? 4 : 0), static_cast<int>(random.below(kSize))}, 0, 1.0f));
+      of_patch.back().impact = 1000.0f;
+    }
+  const auto broken_stripes = [&](const ChoiceWeights& weights) {
+    int count = 0;
+    for (const auto& of_patch : choose_balanced(candidates, 4, luv, patches, 1, weights))
+      for (const int number : of_patch) count += number % 2;
+    return count;
+  };
+  EXPECT_GT(broken_stripes({.steps = 0}), 12);  // 18 of 36 by chance
+  EXPECT_EQ(broken_stripes({.steps = 10}), 0);
+}
+
 TEST(Choice, BalancedTakesDifferentCandidatesInOrderAndTheSameEveryTime) {
   const Image<V3f> luv = slow_waves();
   const Partition patches = patches_of_tile();
