@@ -97,12 +97,12 @@ void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, C
   const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
   const PatchMap& patches = required(scale.patches, "patches", "patch");
   RunningStage stage(bundle, "select-contents", console);
-  check_soft_border(options.soft_border_px, scale.size());
+  check_soft_border(options.soft_border_px.value_or(0), scale.size());
   const bool may_deform = options.search != Search::exact && options.lattice == LatticeUse::never;
   const SelectContentsOptions suited = scale.structure && may_deform ? deforming(options) : options;
   ContentSelection selection = select_contents(colors, scale.base(), patches, suited, stage.progress());
   scale.contents = std::move(selection.table);
-  scale.soft_border_px = options.soft_border_px;
+  scale.soft_border_px = *selection.effective.soft_border_px;
   stage.finish(parameters_of(options, selection.effective), content_figures(selection.figures));
 }
 

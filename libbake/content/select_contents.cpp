@@ -24,10 +24,24 @@ constexpr int kBalancedCandidates = 120;
 // Candidates closer than this show nearly the same from afar. On four photographs 1/16 of the side gave a third to
 // two thirds of the repetition from afar that 1/32 did, at seams that are hardly more visible.
 constexpr int kSeparationDivisor = 16;
+// A hard border steps within one texel, edges of photographs over two or three. On four photographs of 512 texels 2
+// made steps at borders usual ones (own AUC 0.51 to 0.58 instead of 0.63 to 0.79), of 1024 texels 3 did (0.57 instead
+// of 0.84), at a sharpness of 1.00 to 1.02; to the eye pictures are as crisp. Beyond 4 features show through each
+// other.
+constexpr double kSoftBorderShare = 3.0 / 1024;
+constexpr int kLeastSoftBorder = 2;
+constexpr int kMostSoftBorder = 4;
+constexpr int kSoftBorderSides = 8;  // a tile is at least so many borders wide
+
 // Classes hardly see directions: among eight rotations of bark more than half of the contents lay across its grain.
 // Half a turn keeps the directions of any structure.
 constexpr int kStructureRotations = 2;
 constexpr int kStructureScales = 3;
+
+int automatic_soft_border(int side) {
+  const auto px = static_cast<int>(side * kSoftBorderShare + 0.5);
+  return std::min(std::clamp(px, kLeastSoftBorder, kMostSoftBorder), side / kSoftBorderSides);
+}
 
 // Bricks of a wall differ in place by a texel or two: the seams decide there.
 constexpr int kLatticeRadius = 2;
@@ -111,6 +125,7 @@ SelectContentsOptions resolve(const SelectContentsOptions& options, int width, i
                                               "the identity, found {}",
                                               wanted, options.count, *effective.candidates));
   if (!effective.separation_px) effective.separation_px = std::max(std::min(width, height) / kSeparationDivisor, 1);
+  if (!effective.soft_border_px) effective.soft_border_px = automatic_soft_border(std::min(width, height));
   effective.rotations = options.rotations.value_or(1);
   effective.scales = options.scales.value_or(1);
   if (std::popcount(static_cast<unsigned>(*effective.rotations)) != 1)

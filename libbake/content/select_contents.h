@@ -54,7 +54,7 @@ struct SelectContentsOptions {
   float min_scale = 0.5f;
   LatticeUse lattice = LatticeUse::never;
   uint32_t seed = 1;
-  int soft_border_px = 0;  ///< travels with the contents; the search does not read it
+  std::optional<int> soft_border_px{};  ///< travels with the contents; the search does not read it
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -101,7 +101,8 @@ struct SelectContentsOptions {
                                      .min = 0,
                                      .max = 32,
                                      .help = "over how many texels on either side of their borders patches blend; 0 "
-                                             "and 1: hard borders"});
+                                             "and 1: hard borders",
+                                     .auto_help = "3/1024 of the tile's shorter side, 2 to 4"});
   }
 };
 
