@@ -47,8 +47,8 @@ Json figures_of(const Heightmap& map, size_t clicks, const std::optional<Image<f
 void tell(const Heightmap& map, size_t clicks, Console& console) {
   if (!map.classes_without_click.empty())
     console.warning(
-        fmt::format("no click lies on colour class {}: its texels took their heights from the clicks of "
-                    "all classes; texbake render --show index shows where it is",
+        fmt::format("no click lies on colour class {}: its texels took their heights from all "
+                    "clicks, by appearance; texbake render --show index shows where it is",
                     fmt::join(map.classes_without_click, ", ")));
   if (static_cast<size_t>(map.clicks_used) < clicks)
     console.note(
@@ -90,13 +90,12 @@ void run_heightmap(Bundle& bundle, const ClickFile& file, ClickSpace space, cons
     throw Error(ErrorKind::bad_data, "expected a bundle with a palette, found none; run \"texbake convert\" first");
   const std::vector<HeightClick> clicks = clicks_on_tile(file, bundle, space);
   RunningStage stage(bundle, "heightmap", console);
-  Heightmap map = heightmap(*scale.colors, clicks, options, stage.progress());
+  Heightmap map = heightmap(*scale.colors, scale.base(), clicks, options, stage.progress());
   replace_source(bundle, file);
   const Json figures = figures_of(map, clicks.size(), scale.height);
   tell(map, clicks.size(), console);
   scale.height = std::move(map.height_01);
-  Json parameters = Json::object();
-  add_parameters(parameters, options, options);
+  Json parameters = parameters_of(options, resolve(options));
   parameters["source-coordinates"] = space == ClickSpace::source;
   stage.finish(parameters, figures);
 }

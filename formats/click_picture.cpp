@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 #include "formats/limits.h"
@@ -52,7 +53,8 @@ ClickFile read_click_picture(const std::string& path) {
     for (int x = 0; x < pixels.width; ++x, texel += pixels.channels) {
       const float height = texel[pixels.alpha == 0 ? 1 : 0];
       for (int c = 0; c < pixels.channels; ++c)
-        if (c != pixels.alpha && texel[c] != height) throw refusal(path, fmt::format("colour at texel ({}, {})", x, y));
+        if (c != pixels.alpha && texel[c] != height && !std::isnan(height))
+          throw refusal(path, fmt::format("colour at texel ({}, {})", x, y));
       const bool is_click = pixels.alpha >= 0 ? texel[pixels.alpha] > 0 : height != 0;
       if (is_click) file.clicks.push_back({{x, y}, height});
     }

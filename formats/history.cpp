@@ -32,7 +32,9 @@ std::vector<StageScope> make_scopes() {
        {"palette", "patches", "planes.exemplar", "planes.structure", "planes.index", "planes.variation",
         "planes.patch"},
        {"contents", "softBorder"}},
-      {"heightmap", {"palette", "planes.index", "planes.variation"}, {"planes.height"}},
+      {"heightmap",
+       {"palette", "planes.exemplar", "planes.structure", "planes.index", "planes.variation"},
+       {"planes.height"}},
       {"stack", {}, {"transfer"}},
   };
   std::vector<std::string>& read_by_stack = scopes.back().reads;

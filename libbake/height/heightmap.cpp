@@ -7,8 +7,10 @@
 #include <map>
 
 #include "libbake/base/parallel.h"
+#include "libbake/color/luv.h"
+#include "libbake/height/appearance.h"
+#include "libbake/height/click_set.h"
 #include "libbake/height/descriptor.h"
-#include "libbake/height/nearest_clicks.h"
 
 namespace texbake {
 namespace {
@@ -34,98 +36,102 @@ void check(const std::vector<HeightClick>& clicks, V2i size) {
   }
 }
 
-// A click with its three turned descriptors.
-struct DescribedClick {
-  float height_01;
-  std::array<Descriptor, 3> turns;
-};
+constexpr DescriptorSpace kAppearanceSpace = {std::tuple_size_v<Appearance>, appearance_distance};
+constexpr DescriptorSpace kGradientSpace = {std::tuple_size_v<Descriptor>, descriptor_distance};
 
-DescribedClick describe(const ClassGradients& gradients, const HeightClick& click) {
-  return {
-      click.height_01,
-      {gradients.at(click.texel), gradients.turned(click.texel, -kTurn_rad), gradients.turned(click.texel, kTurn_rad)}};
-}
-
-// Keeps the clicks whose descriptors differ most: farthest first from the clicks already kept, starting with the first.
-std::vector<DescribedClick> representatives(std::vector<DescribedClick> clicks, size_t most) {
-  if (clicks.size() <= most) return clicks;
-  std::vector<float> distance(clicks.size(), INFINITY);
-  std::vector<DescribedClick> kept;
-  size_t next = 0;
-  while (kept.size() < most) {
-    kept.push_back(clicks[next]);
-    for (size_t i = 0; i < clicks.size(); ++i)
-      distance[i] = std::min(distance[i], descriptor_distance(clicks[i].turns[0].data(), kept.back().turns[0].data()));
-    next = static_cast<size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
+ClickSet by_appearance(const AppearancePyramid& pyramid, const std::vector<HeightClick>& clicks, int most) {
+  ClickSet set(kAppearanceSpace, 1);
+  for (const HeightClick& click : clicks) {
+    const Appearance appearance = pyramid.at(click.texel);
+    set.add(click.height_01, {appearance.begin(), appearance.end()});
   }
-  return kept;
+  set.reduce(most);
+  set.build();
+  return set;
 }
 
-NearestClicks search_among(const std::vector<DescribedClick>& clicks) {
-  std::vector<Descriptor> descriptors;
-  std::vector<int> click_of;
-  for (size_t i = 0; i < clicks.size(); ++i)
-    for (const Descriptor& turn : clicks[i].turns) {
-      descriptors.push_back(turn);
-      click_of.push_back(static_cast<int>(i));
+/// The clicks on texels of class k, each with its three turns.
+ClickSet by_gradients(const ClassGradients& gradients, const Image<uint8_t>& index, int k,
+                      const std::vector<HeightClick>& clicks, int most) {
+  ClickSet set(kGradientSpace, 3);
+  for (const HeightClick& click : clicks) {
+    if (index(click.texel.x, click.texel.y) != k) continue;
+    std::vector<float> turns;
+    for (const Descriptor& turn : {gradients.at(click.texel), gradients.turned(click.texel, -kTurn_rad),
+                                   gradients.turned(click.texel, kTurn_rad)})
+      turns.insert(turns.end(), turn.begin(), turn.end());
+    set.add(click.height_01, turns);
+  }
+  set.reduce(most);
+  if (set.count() > 0) set.build();
+  return set;
+}
+
+/// Fills the heights of the texels that `chosen` accepts; `descriptor_at` describes one of them.
+template <class Chosen, class DescriptorAt>
+void spread(Image<float>& heights, const ClickSet& set, const Blend& blend, const Chosen& chosen,
+            const DescriptorAt& descriptor_at) {
+  parallel_for(0, heights.height(), [&](int y) {
+    for (int x = 0; x < heights.width(); ++x)
+      if (chosen(x, y)) heights(x, y) = set.height_of(descriptor_at(V2i(x, y)).data(), blend);
+  });
+}
+
+Heightmap spread_by_appearance(ImageView<const V3f> base, const std::vector<HeightClick>& clicks, const Blend& blend,
+                               int most, const Progress& progress) {
+  const AppearancePyramid pyramid(luv_from_linear(base));
+  report(progress, 0.5);
+  const ClickSet set = by_appearance(pyramid, clicks, most);
+  Heightmap result{Image<float>(base.width(), base.height()), {}, set.count()};
+  spread(
+      result.height_01, set, blend, [](int, int) { return true; }, [&](V2i texel) { return pyramid.at(texel); });
+  return result;
+}
+
+Heightmap spread_by_gradients(const PrincipalVariation& colors, ImageView<const V3f> base,
+                              const std::vector<HeightClick>& clicks, const Blend& blend, int most,
+                              const Progress& progress) {
+  Heightmap result{Image<float>(base.width(), base.height()), {}, 0};
+  const auto classes = static_cast<int>(colors.palette.classes.size());
+  std::optional<AppearancePyramid> pyramid;
+  std::optional<ClickSet> all;
+  for (int k = 0; k < classes; ++k) {
+    const ClassGradients gradients(colors, static_cast<uint8_t>(k));
+    const ClickSet own = by_gradients(gradients, colors.index, k, clicks, most);
+    const auto in_class = [&](int x, int y) { return colors.index(x, y) == k; };
+    result.clicks_used += own.count();
+    if (own.count() > 0) {
+      spread(result.height_01, own, blend, in_class, [&](V2i texel) { return gradients.at(texel); });
+    } else {
+      result.classes_without_click.push_back(k);
+      if (!pyramid) pyramid.emplace(luv_from_linear(base));
+      if (!all) all = by_appearance(*pyramid, clicks, most);
+      spread(result.height_01, *all, blend, in_class, [&](V2i texel) { return pyramid->at(texel); });
     }
-  return NearestClicks(std::move(descriptors), std::move(click_of));
-}
-
-// Inverse-distance mean; a click at distance 0 decides alone.
-float interpolate(const std::vector<NearClick>& nearest, const std::vector<DescribedClick>& clicks) {
-  const auto height = [&](const NearClick& near) { return clicks[static_cast<size_t>(near.click)].height_01; };
-  if (nearest.front().distance == 0.0f) return height(nearest.front());
-  double sum = 0.0;
-  double weights = 0.0;
-  for (const NearClick& near : nearest) {
-    const double weight = 1.0 / near.distance;
-    sum += weight * height(near);
-    weights += weight;
+    report(progress, static_cast<double>(k + 1) / classes);
   }
-  return static_cast<float>(sum / weights);
+  return result;
 }
 
 }  // namespace
 
-Heightmap heightmap(const PrincipalVariation& colors, const std::vector<HeightClick>& clicks,
-                    const HeightmapOptions& options, const Progress& progress) {
+HeightmapOptions resolve(const HeightmapOptions& options) {
   check_options(options);
-  const V2i size(colors.index.width(), colors.index.height());
-  check(clicks, size);
-  const auto classes = static_cast<int>(colors.palette.classes.size());
+  const bool paper = options.descriptor == HeightDescriptor::gradients;
+  HeightmapOptions resolved = options;
+  if (!resolved.nearest) resolved.nearest = paper ? 3 : 8;
+  if (!resolved.falloff) resolved.falloff = paper ? 1 : 2;
+  return resolved;
+}
 
-  // Describe the clicks class by class, and reduce crowds to representatives.
-  std::vector<std::vector<DescribedClick>> clicks_of_class(static_cast<size_t>(classes));
-  std::vector<ClassGradients> gradients;
-  for (int k = 0; k < classes; ++k) {
-    gradients.emplace_back(colors, static_cast<uint8_t>(k));
-    auto& own = clicks_of_class[static_cast<size_t>(k)];
-    for (const HeightClick& click : clicks)
-      if (colors.index(click.texel.x, click.texel.y) == k) own.push_back(describe(gradients.back(), click));
-    own = representatives(std::move(own), static_cast<size_t>(options.max_representatives));
-    report(progress, 0.5 * (k + 1) / classes);
-  }
-  std::vector<DescribedClick> all;
-  Heightmap result;
-  for (const auto& own : clicks_of_class) all.insert(all.end(), own.begin(), own.end());
-  result.clicks_used = static_cast<int>(all.size());
-
-  // Spread the heights; a class without a click looks among those of all classes.
-  result.height_01 = Image<float>(size.x, size.y);
-  for (int k = 0; k < classes; ++k) {
-    const auto& own = clicks_of_class[static_cast<size_t>(k)];
-    if (own.empty()) result.classes_without_click.push_back(k);
-    const auto& used = own.empty() ? all : own;
-    const NearestClicks search = search_among(used);
-    parallel_for(0, size.y, [&](int y) {
-      for (int x = 0; x < size.x; ++x)
-        if (colors.index(x, y) == k)
-          result.height_01(x, y) = interpolate(search.nearest(gradients[static_cast<size_t>(k)].at({x, y})), used);
-    });
-    report(progress, 0.5 + 0.5 * (k + 1) / classes);
-  }
-  return result;
+Heightmap heightmap(const PrincipalVariation& colors, ImageView<const V3f> base, const std::vector<HeightClick>& clicks,
+                    const HeightmapOptions& options, const Progress& progress) {
+  const HeightmapOptions resolved = resolve(options);
+  check(clicks, {base.width(), base.height()});
+  const Blend blend{*resolved.nearest, *resolved.falloff};
+  if (resolved.descriptor == HeightDescriptor::appearance)
+    return spread_by_appearance(base, clicks, blend, resolved.max_representatives, progress);
+  return spread_by_gradients(colors, base, clicks, blend, resolved.max_representatives, progress);
 }
 
 }  // namespace texbake

@@ -16,34 +16,67 @@ struct HeightClick {
   float height_01 = 0;
 };
 
+/// What tells whether two texels look alike.
+enum class HeightDescriptor {
+  appearance,  ///< smoothed colour, its deviation and gradient, compared over the whole tile
+  gradients,   ///< the paper's: eq. 6 and 7 inside each colour class
+};
+template <>
+struct EnumNames<HeightDescriptor> {
+  static constexpr std::pair<HeightDescriptor, std::string_view> values[] = {
+      {HeightDescriptor::appearance, "appearance"}, {HeightDescriptor::gradients, "gradients"}};
+};
+
 struct HeightmapOptions {
+  HeightDescriptor descriptor = HeightDescriptor::appearance;
+  std::optional<int> nearest;
+  std::optional<int> falloff;
   int max_representatives = 1024;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
+    visit(self.descriptor,
+          Field{.name = "descriptor",
+                .help = "what looks alike: appearance compares smoothed colour, its deviation and gradient; gradients "
+                        "is the paper's, inside each colour class"});
+    visit(self.nearest, Field{.name = "nearest",
+                              .unit = "clicks",
+                              .min = 1,
+                              .max = 64,
+                              .help = "how many of the clicks most alike a height is blended from",
+                              .auto_help = "8; with gradients 3"});
+    visit(self.falloff, Field{.name = "falloff",
+                              .min = 1,
+                              .max = 8,
+                              .help = "weights are 1 / distance to this power; more gives more contrast",
+                              .auto_help = "2; with gradients 1"});
     visit(self.max_representatives,
           Field{.name = "max-representatives",
                 .unit = "clicks",
                 .min = 3,
                 .max = 100000,
-                .help = "a class with more clicks, such as strokes of a brush, keeps those whose surroundings differ "
-                        "most"});
+                .help = "of more clicks, such as strokes of a brush, those are used whose surroundings differ most; "
+                        "with gradients so many in each class"});
   }
 };
+HeightmapOptions resolve(const HeightmapOptions& options);
 
 struct Heightmap {
   Image<float> height_01;
-  std::vector<int> classes_without_click;  ///< their texels were compared with the clicks of all classes
+  std::vector<int> classes_without_click;  ///< with gradients: their texels took heights by appearance, from all clicks
   int clicks_used = 0;                     ///< after the reduction to representatives
 };
 
-/// Each texel's height is the mean of its three nearest clicks (all of them, where there are fewer) of the same colour
-/// class, weighted by the inverse of the distance of eq. 7 between descriptors of eq. 6: gradients of the variation,
-/// smoothed inside its class by σ = 1 … 6 px, at 3 × 3 texels; the least over turns of the click by −π/8, 0 and π/8.
+/// Each texel's height is the mean of its nearest clicks (all of them, where there are fewer), weighted by the inverse
+/// of a power of their distance. `base` is what is drawn, in linear light.
+/// - appearance: distances of appearance.h between all texels and all clicks.
+/// - gradients: eq. 7 between descriptors of eq. 6, among the clicks of the texel's colour class: gradients of the
+///   variation, smoothed inside its class by σ = 1 … 6 px, at 3 × 3 texels; the least over turns of the click by −π/8,
+///   0 and π/8. A class without a click goes by appearance.
 /// A texel at distance 0 from a click takes its height. One click gives a constant height.
 /// Throws Error(bad_data) without a click, for a click outside the tile, a height outside 0 … 1, or two heights on one
 /// texel.
-Heightmap heightmap(const PrincipalVariation& colors, const std::vector<HeightClick>& clicks,
+Heightmap heightmap(const PrincipalVariation& colors, ImageView<const V3f> base, const std::vector<HeightClick>& clicks,
                     const HeightmapOptions& options = {}, const Progress& progress = {});
 
 }  // namespace texbake

@@ -1,10 +1,8 @@
-// The clicks nearest to a descriptor, by FLANN's exact linear index with the paper's distance.
+// The clicks nearest to a descriptor, by FLANN's exact linear index with a distance of ours.
 #pragma once
 
 #include <memory>
 #include <vector>
-
-#include "libbake/height/descriptor.h"
 
 namespace texbake {
 
@@ -13,16 +11,22 @@ struct NearClick {
   float distance = 0;  ///< least over the click's turns
 };
 
+/// Descriptors of `length` numbers each and what lies between two of them.
+struct DescriptorSpace {
+  size_t length;
+  float (*distance)(const float*, const float*);
+};
+
 class NearestClicks {
  public:
-  /// `descriptors` holds every turn of every click; `click_of[i]` tells whose the i-th is.
-  NearestClicks(std::vector<Descriptor> descriptors, std::vector<int> click_of);
+  /// `descriptors` holds all turns of the first click, `turns` of them, then those of the next, and so on.
+  NearestClicks(DescriptorSpace space, std::vector<float> descriptors, int turns);
   ~NearestClicks();
   NearestClicks(NearestClicks&&) noexcept;
   NearestClicks& operator=(NearestClicks&&) noexcept;
 
-  /// The up to three nearest distinct clicks, nearest first; of equal distances the lowest number.
-  std::vector<NearClick> nearest(const Descriptor& query) const;
+  /// The up to `count` nearest distinct clicks, nearest first; of equal distances the lowest number.
+  std::vector<NearClick> nearest(const float* query, int count) const;
 
  private:
   struct Index;
