@@ -96,6 +96,7 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   json["level_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.level_table);
   json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
   json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
+  json["level_weights"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.level_weights);
   json["base_levels"] = values_json(planes.base.level_values, [](float value) { return std::abs(value) <= kMaxHalf; });
   if (!planes.fragment_idx.empty()) json["fragments"] = plane_json<uint32_t>("R32UI", planes.fragment_idx);
   return "texbake.open(" + texture.dump() + ");\n";

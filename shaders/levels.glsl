@@ -1,8 +1,8 @@
 // Values of the infinite texture averaged over blocks of texels: levels of detail without bias, what lies between them,
 // and footprints that are longer than wide.
 // Based on: Lutz et al. 2019 (which patches lie under a block, and contents premultiplied by their cover of it).
-// Needs noise.glsl and, bound as README.md says, level_table, level_blocks, level_entries,
-// level_count, first_level; level_row, block_row, entry_row and value_row, where the scale in use begins in them.
+// Needs noise.glsl and, bound as README.md says, level_table, level_blocks, level_entries, level_weights, level_count,
+// first_level; level_row, block_row, entry_row and value_row, where the scale in use begins in them.
 //
 // `plane` is the base or a map, `kind` how its values change with their content (plane_kind in reference.frag, README.md §6), `values`
 // what every content of every patch shows in the blocks under it. A block of level l, about 2^l x 2^l texels, is told by
@@ -29,23 +29,39 @@ uint value_number(uint entry, uvec2 owned, uvec2 tile) {
   return entry * content_count + uint(drawn_content(int(owned.x), tile + owner));
 }
 
-// One share of a block: what one patch shows there, times how much of the block it covers.
-vec4 entry_value(sampler2D values, uint entry, uvec2 owned, uvec2 tile) {
-  uint number = value_number(entry, owned, tile);
-  return texelFetch(values, ivec2(int(number & 4095u), int(number >> 12u) + value_row), 0);
+// What the patches under a block show there together.
+struct Shares {
+  vec4 value;
+  uvec4 weights;  // of the noises, in 1/2048; zeros where they were not asked for
+};
+
+// The sum of all shares, in the order of the list; a share is what one patch shows there, times how much of the block it
+// covers. `block` is a texel of level_blocks: the first entry; its patch idx, owner << 16 and, << 20, how many entries
+// follow.
+Shares shares_of(sampler2D values, uvec4 block, uvec2 tile, bool weighed) {
+  PRECISE vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  uvec4 weights = uvec4(0u, 0u, 0u, 0u);
+  uvec2 owned = uvec2(block.y & 65535u, (block.y >> 16u) & 15u);
+  uint end = block.x + (block.y >> 20u);
+  for (uint entry = block.x; entry <= end; ++entry) {
+    if (entry != block.x) {
+      uvec4 next = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
+      owned = uvec2(next.x, next.y);
+    }
+    uint number = value_number(entry, owned, tile);
+    ivec2 place = ivec2(int(number & 4095u), int(number >> 12u) + value_row);
+    vec4 value = texelFetch(values, place, 0);
+    if (entry == block.x) sum = value;
+    else sum = sum + value;
+    if (weighed) weights = weights + texelFetch(level_weights, place, 0);
+  }
+  Shares shares;
+  shares.value = sum;
+  shares.weights = weights;
+  return shares;
 }
 
-// The sum of all shares, in the order of the list. `block` is a texel of level_blocks: the first entry; its patch idx,
-// owner << 16 and, << 20, how many entries follow.
-vec4 shares_value(sampler2D values, uvec4 block, uvec2 tile) {
-  PRECISE vec4 sum = entry_value(values, block.x, uvec2(block.y & 65535u, (block.y >> 16u) & 15u), tile);
-  uint end = block.x + (block.y >> 20u);
-  for (uint entry = block.x + 1u; entry <= end; ++entry) {
-    uvec4 owned = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
-    sum = sum + entry_value(values, entry, uvec2(owned.x, owned.y), tile);
-  }
-  return sum;
-}
+vec4 shares_value(sampler2D values, uvec4 block, uvec2 tile) { return shares_of(values, block, tile, false).value; }
 
 // A texel of the infinite texture. Where borders of patches are soft, those on them have shares. Noise is added last.
 vec4 texel_value(sampler2D plane, int kind, sampler2D values, Texel at) {
@@ -65,6 +81,7 @@ struct Grid {
   ivec2 corner;    // in level_blocks; texels have none: -1
   ivec2 side_256;  // of a block, in 1/256 texel
   ivec2 shift;     // side_256 = 2^shift, or 0 where it is no power of two
+  int noise;       // level of the noises that has blocks as large; -1 where only their mean is left
 };
 
 Grid grid_of(int level) {
@@ -73,6 +90,7 @@ Grid grid_of(int level) {
   grid.corner = ivec2(-1, -1);
   grid.side_256 = ivec2(256, 256);
   grid.shift = ivec2(8, 8);
+  grid.noise = 0;
   if (level == 0) return grid;
   ivec4 places = texelFetch(level_table, ivec2(0, level + level_row), 0);
   ivec4 sides = texelFetch(level_table, ivec2(1, level + level_row), 0);
@@ -80,13 +98,27 @@ Grid grid_of(int level) {
   grid.corner = ivec2(places.z, places.w + block_row);
   grid.side_256 = ivec2(sides.x, sides.y);
   grid.shift = ivec2(sides.z, sides.w);
+  grid.noise = texelFetch(level_table, ivec2(2, level + level_row), 0).x;
   return grid;
 }
 
+// The texel in the middle of a block.
+Texel middle_of(Texel block, Grid grid) {
+  Texel texel;
+  texel.tile = block.tile;
+  texel.p = ivec2((block.p.x * grid.side_256.x + (grid.side_256.x >> 1)) >> 8,
+                  (block.p.y * grid.side_256.y + (grid.side_256.y >> 1)) >> 8);
+  return texel;
+}
+
+// Of the structure with the means of the noises, which are in its shares; what else they have is added last.
 vec4 block_value(sampler2D plane, int kind, sampler2D values, Texel block, Grid grid) {
   if (grid.corner.x < 0) return texel_value(plane, kind, values, block);
   uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
-  return shares_value(values, found, block.tile);
+  bool has_noise = kind == 4 && noise_size > 0 && grid.noise >= 0;
+  Shares shares = shares_of(values, found, block.tile, has_noise);
+  if (!has_noise) return shares.value;
+  return with_noise(shares.value, shares.weights, noise_level_place(middle_of(block, grid), grid.noise));
 }
 
 // The block in which a place lies, and how far into it, in 1/256 of its side. `place` >= 0 is in 1/256 texel.

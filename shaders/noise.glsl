@@ -1,13 +1,21 @@
 // The noise layer: grain that belongs to the place where it is seen, weighed by masks that belong to what is seen.
 // Based on: Guingo et al. 2017, eq. 2 and 6. Needs sample.glsl and, bound as README.md says,
-//   masks (weights of up to four noises in 1/2048), noise_tiles (the noises, one below the other),
-//   noise_size (their side, a power of two; 0 without noise).
+//   masks (weights of up to four noises in 1/2048), noise_tiles (the noises, one below the other, the levels of detail
+//   of each to its right), noise_size (their side, a power of two; 0 without noise).
 
 // Where a texel of the infinite texture lies in the noises: they repeat every noise_size texels, wherever tiles end.
 ivec2 noise_place(Texel at) {
   uint last = uint(noise_size) - 1u;
   return ivec2(int((at.tile.x * uint(tile_size.x) + uint(at.p.x)) & last),
                int((at.tile.y * uint(tile_size.y) + uint(at.p.y)) & last));
+}
+
+// The same of the block of 2^level x 2^level texels in which a texel of the infinite texture lies. Levels 1 ... stand on
+// one another right of the noise: noise_size / 2 blocks a side, then half as many, and so on.
+ivec2 noise_level_place(Texel at, int level) {
+  ivec2 place = noise_place(at);
+  if (level == 0) return place;
+  return ivec2(noise_size + (place.x >> level), noise_size - (noise_size >> (level - 1)) + (place.y >> level));
 }
 
 // Weights between those of four texels, in 1/2048 rounded down; the first noise takes what that leaves over, so that
@@ -34,7 +42,7 @@ uvec4 source_weights(Source source) {
 
 vec4 noise_value(int k, ivec2 place) { return texelFetch(noise_tiles, ivec2(place.x, place.y + k * noise_size), 0); }
 
-// A weight has at most 11 significant bits, a noise, being a half float, 11: their product is exact, so that neither a
+// A weight has at most 13 significant bits, a noise, being a half float, 11: their product is exact, so that neither a
 // fused multiply-add nor another order of factors changes a bit. Noises of weight 0 are not fetched.
 vec4 with_noise(vec4 structure, uvec4 weights, ivec2 place) {
   const float per_2048 = 0.00048828125f;

@@ -11,7 +11,7 @@ uniform isampler2D scale_table;     // RGBA32I  4 x S   W, H, plane_row, first_p
                                     //                  range_row, 256 variationFade
 uniform sampler2D class_table;      // RGBA32F  K x 2   dominant colour, gain; taking, giving, 0, 0
 uniform sampler2D mean_table;       // RGBA32F  2 x S   mean of the dominant part; mean of the tile with its gains
-uniform isampler2D level_table;     // RGBA32I  2 x n  as in bindings.glsl, as are the next three
+uniform isampler2D level_table;     // RGBA32I  3 x n  as in bindings.glsl, as are the next three
 uniform usampler2D level_blocks;    // RG32UI
 uniform usampler2D level_entries;   // RG16UI   4096 x n
 uniform sampler2D base_levels;      // RGBA32F  4096 x n  of the bases with their gains; of dominant colours; w: taking
@@ -42,3 +42,4 @@ const int first_level = 1;
 const int noise_size = 0;
 uniform usampler2D masks;
 uniform sampler2D noise_tiles;
+uniform usampler2D level_weights;

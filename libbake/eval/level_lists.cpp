@@ -97,6 +97,15 @@ void store_list(const LevelList& list, EvaluatorPlanes& planes) {
     }
 }
 
+/// The level of the noises whose blocks have about as many texels: 4^level, at most twice as many or few; −1 where they
+/// have none so large.
+int noise_level_of(V2i block_side, int noise_size) {
+  const int64_t texels = int64_t{block_side.x} * block_side.y;
+  for (int level = 0; 1 << level <= noise_size; ++level)
+    if (texels < int64_t{2} << (2 * level)) return level;
+  return -1;
+}
+
 /// log2 of a power of two, 0 of other numbers.
 int shift_of(int n) {
   const auto bits = static_cast<uint32_t>(n);
@@ -130,15 +139,17 @@ void store_lists(const LevelLists& lists, EvaluatorPlanes& planes) {
   planes.level_blocks = Image<LevelBlock>(planes.size.x, std::max(lists.block_rows, 1));
   planes.level_entries = Image<PatchTexel>(kListWidth, list_rows(lists.count));
   for (const LevelList& list : lists.lists) store_list(list, planes);
-  planes.level_table = Image<glsl::ivec4>(2, planes.level_count + 1, {0, 0, 0, 0});
+  planes.level_table = Image<glsl::ivec4>(3, planes.level_count + 1, {0, 0, 0, 0});
   for (int level = 0; level <= planes.level_count; ++level) {
     const size_t at = lists.list_of_level[static_cast<size_t>(level)];
     const V2i blocks = lists.lists[at].cover.size;
     // Without entries of its own, level 0 is where the text draws it from.
     const V2i corner = at == 0 ? V2i(-1) : lists.lists[at].corner;
-    const V2i side_256(planes.size.x / blocks.x * 256, planes.size.y / blocks.y * 256);
+    const V2i side(planes.size.x / blocks.x, planes.size.y / blocks.y);
+    const V2i side_256 = side * 256;
     planes.level_table(0, level) = {blocks.x, blocks.y, corner.x, corner.y};
     planes.level_table(1, level) = {side_256.x, side_256.y, shift_of(side_256.x), shift_of(side_256.y)};
+    planes.level_table(2, level) = {noise_level_of(side, planes.noise_size), 0, 0, 0};
   }
 }
 

@@ -11,17 +11,11 @@ namespace texbake {
 /// Adds the levels of `plane`, the base or a map of `planes`, and the lists of patches that all planes
 /// share (level_lists.h). A share of a block is the mean, in double and rounded once to float, of those of the finer
 /// blocks that it consists of; of a texel it is what the evaluator shows, so normals are turned and heights scaled.
-/// Throws Error(infeasible) when there are 2^32 values or more.
+/// With noise, shares of the base have the means of the noises too, and weights for what else the noises have in a
+/// block (level_weights.h, noise_levels.h). Throws Error(infeasible) when there are 2^32 values or more.
 void add_levels(EvaluatorPlanes& planes, const Plane& plane);
 
 /// The same of the base and all maps.
 void add_levels(EvaluatorPlanes& planes);
-
-/// Memory of the levels of one plane and of the shared lists, in bytes.
-struct LevelMemory {
-  uint64_t values = 0;
-  uint64_t lists = 0;
-};
-LevelMemory level_memory(const EvaluatorPlanes& planes);
 
 }  // namespace texbake

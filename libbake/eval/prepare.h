@@ -79,7 +79,8 @@ struct EvaluatorPlanes {
   std::vector<Plane> maps;
   int noise_size = 0;             ///< side of the noises; 0 without
   Image<glsl::MaskTexel> masks;   ///< RGBA16UI, in 1/2048; one texel without noise
-  Image<glsl::vec4> noise_tiles;  ///< one below the other, RGBA32F (or RGBA16F); one texel without noise
+  Image<glsl::vec4> noise_tiles;  ///< one below the other, their levels of detail (noise_levels.h) to the right,
+                                  ///< RGBA32F (or RGBA16F); one texel without noise
 
   int level_count = 0;     ///< levels of detail beside level 0; 0 until add_levels
   int first_level = 1;     ///< 0 where borders of patches are soft
@@ -87,6 +88,7 @@ struct EvaluatorPlanes {
   Image<glsl::ivec4> level_table;
   Image<glsl::LevelBlock> level_blocks;
   Image<glsl::PatchTexel> level_entries;
+  Image<glsl::MaskTexel> level_weights;  ///< of the base's levels; one texel without noise, and until they are added
 
   Image<uint32_t> fragment_idx;  ///< empty without fragments
   Image<float> variation;        ///< empty without colours

@@ -4,6 +4,7 @@
 
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
+#include "libbake/eval/noise_levels.h"
 
 namespace texbake {
 namespace {
@@ -53,18 +54,23 @@ Image<glsl::MaskTexel> mask_plane(const NoiseInput& input, V2i size) {
 
 Image<glsl::vec4> stacked(const std::vector<ImageView<const V3f>>& tiles) {
   const int side = tiles.front().width();
-  Image<glsl::vec4> stack(side, side * static_cast<int>(tiles.size()), {0, 0, 0, 0});
-  for (size_t k = 0; k < tiles.size(); ++k)
-    for (size_t i = 0; i < tiles[k].size(); ++i) {
-      const V3f color = half_exact(tiles[k].data()[i]);
-      stack.data()[k * tiles[k].size() + i] = {color.x, color.y, color.z, 0};
-    }
+  Image<glsl::vec4> stack(side + side / 2, side * static_cast<int>(tiles.size()), {0, 0, 0, 0});
+  for (size_t k = 0; k < tiles.size(); ++k) {
+    const int first_row = static_cast<int>(k) * side;
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const V3f color = half_exact(tiles[k](x, y));
+        stack(x, first_row + y) = {color.x, color.y, color.z, 0};
+      }
+    fill_noise_levels(stack, side, first_row);
+  }
   return stack;
 }
 
 }  // namespace
 
 void add_noise(const std::optional<NoiseInput>& input, EvaluatorPlanes& planes) {
+  planes.level_weights = Image<glsl::MaskTexel>(1, 1);
   if (!input) {
     planes.masks = Image<glsl::MaskTexel>(1, 1);
     planes.noise_tiles = Image<glsl::vec4>(1, 1, {0, 0, 0, 0});

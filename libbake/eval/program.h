@@ -18,6 +18,7 @@ struct Program {
   isampler2D level_table;
   Sampler<LevelBlock> level_blocks;
   usampler2D level_entries;
+  Sampler<MaskTexel> level_weights;
   int level_count = 0;
   int first_level = 1;
   ivec2 tile_size{1, 1};

@@ -25,6 +25,7 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   program.level_table = sampler_of(planes.level_table);
   program.level_blocks = sampler_of(planes.level_blocks);
   program.level_entries = sampler_of(planes.level_entries);
+  program.level_weights = sampler_of(planes.level_weights);
   program.level_count = planes.level_count;
   program.first_level = planes.first_level;
   program.tile_size = {planes.size.x, planes.size.y};

@@ -20,6 +20,7 @@ enum Unit {
   kLevelTable,
   kLevelBlocks,
   kLevelEntries,
+  kLevelWeights,
   kBaseLevels
 };
 
@@ -37,7 +38,7 @@ struct GlRenderer::State {
   const GlFunctions& gl;
   const EvaluatorPlanes& planes;
   GlProgram program;
-  GlTexture patch_plane, contents, centers, masks, noise_tiles, level_table, level_blocks, level_entries;
+  GlTexture patch_plane, contents, centers, masks, noise_tiles, level_table, level_blocks, level_entries, level_weights;
   std::map<const Plane*, std::pair<GlTexture, GlTexture>> values;  ///< texels and levels, uploaded when first drawn
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
@@ -53,7 +54,8 @@ struct GlRenderer::State {
         noise_tiles(upload(gl, kRgba32f, planes.noise_tiles)),
         level_table(upload(gl, kRgba32i, planes.level_table)),
         level_blocks(upload(gl, kRg32ui, planes.level_blocks)),
-        level_entries(upload(gl, kRg16ui, planes.level_entries)) {
+        level_entries(upload(gl, kRg16ui, planes.level_entries)),
+        level_weights(upload(gl, kRgba16ui, planes.level_weights)) {
     gl.GenVertexArrays(1, &vertex_array);
   }
   ~State() { gl.DeleteVertexArrays(1, &vertex_array); }
@@ -77,6 +79,7 @@ struct GlRenderer::State {
     level_table.bind(kLevelTable);
     level_blocks.bind(kLevelBlocks);
     level_entries.bind(kLevelEntries);
+    level_weights.bind(kLevelWeights);
     gl.Uniform1i(program.uniform("patch_plane"), kPatchPlane);
     gl.Uniform1i(program.uniform("contents"), kContents);
     gl.Uniform1i(program.uniform("centers"), kCenters);
@@ -87,6 +90,7 @@ struct GlRenderer::State {
     gl.Uniform1i(program.uniform("level_table"), kLevelTable);
     gl.Uniform1i(program.uniform("level_blocks"), kLevelBlocks);
     gl.Uniform1i(program.uniform("level_entries"), kLevelEntries);
+    gl.Uniform1i(program.uniform("level_weights"), kLevelWeights);
   }
 
   void set_deformation(const Window& window, bool is_base) {

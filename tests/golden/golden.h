@@ -54,7 +54,7 @@ struct Golden {
   std::vector<GoldenPoint> points;
 };
 
-inline const char* const kGoldenNames[] = {"plain", "moved", "turned", "noise", "levels"};
+inline const char* const kGoldenNames[] = {"plain", "moved", "turned", "noise", "levels", "noise_levels"};
 
 inline V3f golden_color(const nlohmann::json& json) {
   return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};

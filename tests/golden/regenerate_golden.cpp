@@ -153,7 +153,10 @@ bool write_all(const std::string& folder) {
   SmallTile noise = random_tile({24, 20}, 4, Contents::turned, 104);
   add_noise(noise, 3, 16, 104);
   all = done("noise", noise, Levels::without) && all;
-  return done("levels", random_tile({16, 32}, 3, Contents::turned, 104), Levels::with) && all;
+  all = done("levels", random_tile({16, 32}, 3, Contents::turned, 104), Levels::with) && all;
+  SmallTile noise_levels = random_tile({16, 32}, 3, Contents::turned, 105);
+  add_noise(noise_levels, 2, 32, 105);
+  return done("noise_levels", noise_levels, Levels::with) && all;
 }
 
 }  // namespace

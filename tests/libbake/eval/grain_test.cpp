@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "libbake/base/half.h"
+#include "libbake/eval/levels.h"
 #include "libbake/eval/window.h"
+#include "libbake/noise/lobes.h"
 #include "libbake/noise/noise_tile.h"
 #include "libbake/noise/spectrum.h"
 #include "libbake/noise/spectrum_difference.h"
@@ -93,6 +95,68 @@ TEST(Grain, KeepsItsSpectrumWhereASingleLayersShifts) {
   for (const DeformationRequest& request : requests) {
     EXPECT_LE(spectrum_difference_db(periodogram(seen(grey(), masks_of({1}), tiles, request)), model), 1.0);
     EXPECT_GE(spectrum_difference_db(periodogram(seen(single, {}, {}, request)), model), 3.0);
+  }
+}
+
+/// The mean over 2^level texels: what is left of a frequency.
+double box_transfer(double f_cpp, int level) {
+  double transfer = 1;
+  for (int j = 0; j < level; ++j) transfer *= std::cos(M_PI * f_cpp * (1 << j));
+  return transfer;
+}
+
+/// What blocks of 2^level texels show of a spectrum: it fades, and what such blocks cannot carry turns into the
+/// frequencies that they can.
+Image<float> block_spectrum(const Image<float>& spectrum, int level) {
+  const int size = spectrum.width(), blocks = size >> level;
+  Image<double> power(blocks, blocks);
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const auto left = static_cast<double>(spectrum(x, y)) * box_transfer(shortest(x, size) / double{kSide}, level) *
+                        box_transfer(shortest(y, size) / double{kSide}, level);
+      power(x % blocks, y % blocks) += left * left;
+    }
+  Image<float> faded(blocks, blocks);
+  for (size_t i = 0; i < faded.size(); ++i) faded.data()[i] = static_cast<float>(std::sqrt(power.data()[i]));
+  return faded;
+}
+
+Image<float> seen_in_blocks(const std::vector<Image<V3f>>& tiles, int level) {
+  EvaluatorInput input;
+  const std::vector<Image<float>> masks = masks_of({1});
+  input.base = grey();
+  input.noise = NoiseInput{{masks.begin(), masks.end()}, {tiles.begin(), tiles.end()}};
+  EvaluatorPlanes planes = prepare(input);
+  add_levels(planes);
+  Window window;
+  window.width = window.height = kSide >> level;
+  window.step_256 = 256u << level;
+  window.filter = Filter::trilinear;
+  const Image<V3f> picture = render_rows(planes, window, 0, window.height);
+  Image<float> channel(window.width, window.height);
+  for (size_t i = 0; i < channel.size(); ++i) channel.data()[i] = picture.data()[i].y;
+  return channel;
+}
+
+TEST(Grain, FadesWithTheLevelAsTheFootprintFadesItsLobes) {
+  // Coarse grain, a ripple, and fine grain; deviations of 0.02 cycles per texel.
+  const Lobe lobes[] = {{0.004, 0.02, 0.0, 50, 0, 50}, {0.004, 0.06, 0.03, 50, 0, 50}, {0.002, 0.2, -0.1, 50, 0, 50}};
+  const Image<float> model = lobe_spectrum(lobes, kSide);
+  std::vector<Image<V3f>> tiles;
+  const Image<float> plane = realise_noise(model, random_phases(kSide, 3, 0));
+  tiles.emplace_back(kSide, kSide);
+  for (size_t i = 0; i < plane.size(); ++i) tiles[0].data()[i] = half_exact(V3f(plane.data()[i] + 0.125f));
+  for (int level = 1; level <= 3; ++level) {  // 32 × 32 blocks: enough frequencies to compare
+    const Image<float> picture = seen_in_blocks(tiles, level);
+    EXPECT_NEAR(mean_of(picture), 0.625, 1e-4) << level;
+    // Frequencies that fold onto one another interfere: their sum is right in the mean over the phases alone.
+    const Image<float> blocks = block_spectrum(model, level);
+    EXPECT_NEAR(variance_of(picture) / power_of(blocks), 1.0, 0.03) << level;
+    EXPECT_LE(spectrum_difference_db(periodogram(picture), blocks), 1.0) << level;
+    // The closed form is that of a Gaussian footprint as wide as the block, whose transfer has no second lobe: 5 % of
+    // the whole variance.
+    const double width = (std::pow(4.0, level) - 1) / 12;
+    EXPECT_NEAR(variance_of(picture), filtered_variance(lobes, width, 0, width), 0.05 * 0.01) << level;
   }
 }
 

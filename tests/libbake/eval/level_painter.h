@@ -10,6 +10,8 @@
 namespace texbake {
 
 class LevelPainter {
+  using V4f = Imath::V4f;
+
  public:
   LevelPainter(const SmallTile& tile, uint32_t seed) : tile_(tile), painter_(tile, seed) {}
 
@@ -30,8 +32,23 @@ class LevelPainter {
   V3f block(int64_t x, int64_t y, int level) const {
     const int side = 1 << level;
     const Painting painting = painter_.paint(x * side, y * side, side, side);
+    if (level == 0) return painting.color(0, 0);
     V3f sum(0);
-    for (const Shape& shape : shapes(painting, {0, 0}, side, {})) sum += share(painting, shape, {0, 0}, side);
+    int steps[4] = {0, 0, 0, 0};  // of weights, in 1/2048
+    for (const Shape& shape : shapes(painting, {0, 0}, side, {})) {
+      const auto structure = [&](V2i p) { return V4f(painting.structure(p.x, p.y)); };
+      const V4f shown = share(painting, shape, {0, 0}, side, structure);
+      const V4f weights = share(painting, shape, {0, 0}, side, [&](V2i p) { return painting.weights(p.x, p.y); });
+      V3f value(shown.x, shown.y, shown.z);
+      for (size_t k = 0; k < tile_.noises.size(); ++k) {
+        const float weight = weights[static_cast<int>(k)];
+        for (int c = 0; c < 3; ++c) value[c] += static_cast<float>(noise_mean(k, c)) * weight;
+        steps[k] += static_cast<int>(std::lround(weight * 2048));
+      }
+      sum += value;
+    }
+    for (size_t k = 0; k < tile_.noises.size(); ++k)
+      for (int c = 0; c < 3; ++c) sum[c] += grain(k, c, x, y, side) * (static_cast<float>(steps[k]) / 2048);
     return sum;
   }
 
@@ -65,11 +82,31 @@ class LevelPainter {
     return known;
   }
 
-  V3f share(const Painting& painting, const Shape& shape, V2i p, int side) const {
-    if (side == 1) return shape_at(painting, p) == shape ? painting.color(p.x, p.y) : V3f(0);
-    Imath::V3d sum(0);
-    for (int i = 0; i < 4; ++i) sum += Imath::V3d(share(painting, shape, quarter(p, side / 2, i), side / 2));
-    return V3f(sum / 4.0);
+  template <class At>
+  V4f share(const Painting& painting, const Shape& shape, V2i p, int side, const At& at) const {
+    if (side == 1) return shape_at(painting, p) == shape ? at(p) : V4f(0);
+    Imath::V4d sum(0);
+    for (int i = 0; i < 4; ++i) sum += Imath::V4d(share(painting, shape, quarter(p, side / 2, i), side / 2, at));
+    return V4f(sum / 4.0);
+  }
+
+  double noise_mean(size_t k, int channel) const {
+    double sum = 0;
+    for (const V3f& c : tile_.noises[k]) sum += double{c[channel]};
+    return sum / static_cast<double>(tile_.noises[k].size());
+  }
+
+  /// What noise k has in a square beside its mean, rounded to half: the squares of the noise's own tile repeat.
+  float grain(size_t k, int channel, int64_t x, int64_t y, int side) const {
+    const Image<V3f>& noise = tile_.noises[k];
+    if (side > noise.width()) return 0;
+    const int64_t squares = noise.width() / side;
+    const int left = static_cast<int>(x - Painter::floor_div(x, squares) * squares) * side;
+    const int top = static_cast<int>(y - Painter::floor_div(y, squares) * squares) * side;
+    double sum = 0;
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) sum += double{noise(left + i, top + j)[channel]};
+    return half_exact(static_cast<float>(sum / side / side - noise_mean(k, channel)));
   }
 
   V3f bilinear(int64_t x_256, int64_t y_256, int level) const {

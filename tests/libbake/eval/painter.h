@@ -12,7 +12,9 @@ namespace texbake {
 struct Painting {
   int64_t x0 = 0, y0 = 0;
   Image<V3f> color;
-  Image<int> patch;  ///< −1 where nothing was painted
+  Image<V3f> structure;       ///< the colour without noise
+  Image<Imath::V4f> weights;  ///< of the noises; zeros without
+  Image<int> patch;           ///< −1 where nothing was painted
   Image<int> content;
   Image<V2i> source;  ///< nearest texel of the tile
   Image<int> times;   ///< how often a texel was painted: 1 everywhere
@@ -30,6 +32,8 @@ class Painter {
     Painting painting{x0,
                       y0,
                       Image<V3f>(width, height),
+                      Image<V3f>(width, height),
+                      Image<Imath::V4f>(width, height, Imath::V4f(0)),
                       Image<int>(width, height, -1),
                       Image<int>(width, height),
                       Image<V2i>(width, height),
@@ -77,7 +81,9 @@ class Painter {
         if (!painting.covers(x, y)) continue;
         const int i = static_cast<int>(x - painting.x0), j = static_cast<int>(y - painting.y0);
         painting.color(i, j) = content_color(content, c, dx, dy);
-        add_noise(painting.color(i, j), content, c, V2i(dx, dy), x, y);
+        painting.structure(i, j) = painting.color(i, j);
+        painting.weights(i, j) = weights_of(content, c, V2i(dx, dy));
+        add_noise(painting.color(i, j), painting.weights(i, j), x, y);
         painting.patch(i, j) = patch;
         painting.content(i, j) = number;
         painting.source(i, j) = nearest_source(content, c, dx, dy);
@@ -92,22 +98,29 @@ class Painter {
     return wrap(c + content.translation + nearest, tile_.size());
   }
 
-  /// Noises at the texel (x, y) of the infinite texture, weighed by what the content shows there: weights are blended
-  /// like colours, rounded down to 1/2048, and the first noise takes the rest. Products are exact in double.
-  void add_noise(V3f& color, const Content& content, V2i c, V2i d, int64_t x, int64_t y) const {
-    if (tile_.masks.empty()) return;
-    std::vector<double> weights;
-    for (const Image<float>& mask : tile_.masks) weights.push_back(content_weight(mask, content, c, d));
-    for (size_t k = 1; k < weights.size(); ++k) weights[k] = std::floor(weights[k] * 2048) / 2048;
+  /// What the content shows of the masks: blended like colours, rounded down to 1/2048, and the first takes the rest.
+  Imath::V4f weights_of(const Content& content, V2i c, V2i d) const {
+    Imath::V4f weights(0);
+    if (tile_.masks.empty()) return weights;
     weights[0] = 1;
-    for (size_t k = 1; k < weights.size(); ++k) weights[0] -= weights[k];
-    for (size_t k = 0; k < weights.size(); ++k) {
+    for (size_t k = 1; k < tile_.masks.size(); ++k) {
+      const double weight = std::floor(content_weight(tile_.masks[k], content, c, d) * 2048) / 2048;
+      weights[static_cast<int>(k)] = static_cast<float>(weight);
+      weights[0] -= static_cast<float>(weight);
+    }
+    return weights;
+  }
+
+  /// Noises at the texel (x, y) of the infinite texture. Products are exact in double.
+  void add_noise(V3f& color, const Imath::V4f& weights, int64_t x, int64_t y) const {
+    for (size_t k = 0; k < tile_.noises.size(); ++k) {
+      const auto weight = static_cast<double>(weights[static_cast<int>(k)]);
       const Image<V3f>& noise = tile_.noises[k];
       const int64_t n = noise.width();
       const V3f& value = noise(static_cast<int>(x - floor_div(x, n) * n), static_cast<int>(y - floor_div(y, n) * n));
       for (int channel = 0; channel < 3; ++channel)
         color[channel] =
-            static_cast<float>(static_cast<double>(color[channel]) + weights[k] * static_cast<double>(value[channel]));
+            static_cast<float>(static_cast<double>(color[channel]) + weight * static_cast<double>(value[channel]));
     }
   }
 

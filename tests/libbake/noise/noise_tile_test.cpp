@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "libbake/noise/lobes.h"
 #include "libbake/noise/spectrum.h"
 #include "libbake/noise/spectrum_difference.h"
 #include "tests/libbake/noise/synthetic_field.h"
@@ -74,56 +73,6 @@ TEST(RealiseNoise, ABlendHasTheBlendedMagnitudes) {
   const Image<float> c = realise_noise(mixed, phases);
   for (size_t i = 0; i < c.size(); ++i)
     EXPECT_NEAR(c.data()[i], 0.3f * a.data()[i] + 0.7f * b.data()[i], 1e-5f);  // linear: S_x = Σ M_k S_k (§3.2)
-}
-
-Image<V3f> grey(const Image<float>& plane) {
-  Image<V3f> image(plane.width(), plane.height());
-  for (size_t i = 0; i < plane.size(); ++i) image.data()[i] = V3f(plane.data()[i]);
-  return image;
-}
-
-TEST(NoiseLevels, OfSlowNoiseAreTheMeansOfTheTexels) {
-  // A wave of 2 cycles in 32 texels: no frequency turns into another one, so the faded level is the box mean.
-  Image<float> wave(32, 32);
-  for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 32; ++x) wave(x, y) = static_cast<float>(std::cos(2.0 * M_PI * (2 * x + y) / 32.0 + 0.3));
-  const auto levels = noise_levels(grey(wave), 3);
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 8; ++x) {
-      double mean = 0.0;
-      for (int b = 0; b < 4; ++b)
-        for (int a = 0; a < 4; ++a) mean += double(wave(4 * x + a, 4 * y + b)) / 16.0;
-      EXPECT_NEAR(levels[2](x, y).x, mean, 1e-5);
-    }
-}
-
-TEST(NoiseLevels, FadeAsTheTransferSays) {
-  const Image<float> spectrum = true_spectrum([](double, double) { return 1.0; }, 64, 1.0);  // white
-  const auto levels = noise_levels(grey(realise_noise(spectrum, random_phases(64, 1, 0))), 4);
-  for (int level = 0; level < 4; ++level) {
-    double expected = 0.0;
-    for (int y = 0; y < 64; ++y)
-      for (int x = 0; x < 64; ++x)
-        expected += double(spectrum(x, y)) * double(spectrum(x, y)) *
-                    level_transfer_power(shortest(x, 64) / 64.0, shortest(y, 64) / 64.0, level);
-    Image<float> plane(64 >> level, 64 >> level);
-    for (size_t i = 0; i < plane.size(); ++i) plane.data()[i] = levels[size_t(level)].data()[i].y;
-    EXPECT_NEAR(variance_of(plane) / expected, 1.0, 1e-4) << level;
-  }
-}
-
-TEST(NoiseLevels, AgreeWithTheClosedFormOfLobes) {
-  // A lobe of deviation 0.02 cycles per texel at 0.05; a box of 2^l texels has the variance (4^l − 1)/12.
-  const Lobe lobes[] = {{1.0, 0.05, 0.0, 50.0, 0.0, 50.0}};
-  const Image<float> spectrum = lobe_spectrum(lobes, 256);
-  const auto levels = noise_levels(grey(realise_noise(spectrum, random_phases(256, 1, 0))), 3);
-  for (int level = 0; level < 3; ++level) {
-    Image<float> plane(256 >> level, 256 >> level);
-    for (size_t i = 0; i < plane.size(); ++i) plane.data()[i] = levels[size_t(level)].data()[i].x;
-    const double box = (std::pow(4.0, level) - 1.0) / 12.0;
-    // The box is not Gaussian: at the second zero of its transfer the difference is a few percent of the power.
-    EXPECT_NEAR(variance_of(plane), filtered_variance(lobes, box, 0.0, box), 0.03) << level;
-  }
 }
 
 }  // namespace

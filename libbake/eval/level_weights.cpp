@@ -1,0 +1,64 @@
+#include "libbake/eval/level_weights.h"
+
+#include <cmath>
+
+#include "libbake/eval/level_shares.h"
+#include "libbake/eval/program_of.h"
+
+namespace texbake {
+namespace {
+
+using glsl::vec4;
+
+constexpr float kSteps = 2048;  ///< what the weights of a texel sum to
+
+std::vector<vec4> means_of_noises(const EvaluatorPlanes& planes) {
+  std::vector<vec4> means;
+  const int size = planes.noise_size;
+  for (int k = 0; k < planes.noise_tiles.height() / size; ++k) {
+    LevelSum sum;
+    for (int y = k * size; y < (k + 1) * size; ++y)
+      for (int x = 0; x < size; ++x) sum.add(planes.noise_tiles(x, y));
+    means.push_back(sum.over(double{1} * size * size));
+  }
+  return means;
+}
+
+}  // namespace
+
+Image<vec4> level_weights(const EvaluatorPlanes& planes, const LevelLists& lists) {
+  const auto texel_share = [&](V2i p, uint32_t k, int content) -> vec4 {
+    if (k > 0) return {0, 0, 0, 0};
+    glsl::Program program = program_of(planes, 0);
+    const glsl::PatchTexel& owned = planes.patch_plane(p.x, p.y);
+    const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
+    const glsl::uvec4 weights = program.source_weights(program.source_of({{0, 0}, {p.x, p.y}}, decision));
+    const vec4 of(static_cast<float>(weights.x), static_cast<float>(weights.y), static_cast<float>(weights.z),
+                  static_cast<float>(weights.w));
+    return of * (1 / kSteps);
+  };
+  Image<vec4> weights(kListWidth, list_rows(lists.count * static_cast<uint64_t>(planes.content_count)), {0, 0, 0, 0});
+  LevelShares(lists, planes.content_count, weights, texel_share).fill();
+  return weights;
+}
+
+Image<glsl::MaskTexel> in_steps(const Image<vec4>& weights) {
+  const auto steps = [](float weight) { return static_cast<uint16_t>(std::lround(weight * kSteps)); };
+  Image<glsl::MaskTexel> rounded(weights.width(), weights.height());
+  for (size_t i = 0; i < weights.size(); ++i) {
+    const vec4& of = weights.data()[i];
+    rounded.data()[i] = {{steps(of.x), steps(of.y), steps(of.z), steps(of.w)}};
+  }
+  return rounded;
+}
+
+void add_noise_means(const EvaluatorPlanes& planes, const Image<vec4>& weights, Image<vec4>& values) {
+  const std::vector<vec4> means = means_of_noises(planes);
+  for (size_t i = 0; i < values.size(); ++i) {
+    const vec4& of = weights.data()[i];
+    const float weight[4] = {of.x, of.y, of.z, of.w};
+    for (size_t k = 0; k < means.size(); ++k) values.data()[i] = values.data()[i] + means[k] * weight[k];
+  }
+}
+
+}  // namespace texbake
