@@ -57,6 +57,16 @@ Image<double> even_transform(ImageView<const T> image) {
   return result;
 }
 
+Error too_small(int64_t texels) {
+  constexpr int kLeast = 4 * MaskedSpectrum::kSmallestSize * MaskedSpectrum::kSmallestSize;
+  const std::string wanted =
+      texels < kLeast ? fmt::format("at least {} texels in its mask, found {}", kLeast, texels)
+                      : fmt::format("{} pairs of neighbours in its mask, found less among {} scattered texels",
+                                    kLeastPairs, texels);
+  return Error(ErrorKind::infeasible,
+               fmt::format("the spectrum of a noise needs {}; ask for fewer noises or a larger exemplar", wanted));
+}
+
 }  // namespace
 
 MaskedSpectrum::MaskedSpectrum(ImageView<const uint8_t> mask, int size, SpectrumEstimator estimator)
@@ -68,11 +78,7 @@ MaskedSpectrum::MaskedSpectrum(ImageView<const uint8_t> mask, int size, Spectrum
   }
   pairs_ = circular_autocorrelation(inside);
   while (size_ >= kSmallestSize && !supports(size_)) size_ /= 2;
-  if (size_ < kSmallestSize)
-    throw Error(ErrorKind::infeasible,
-                fmt::format("the spectrum of a noise needs at least {} texels in its mask, found {}; ask for fewer "
-                            "noises or a larger exemplar",
-                            4 * kSmallestSize * kSmallestSize, count_));
+  if (size_ < kSmallestSize) throw too_small(count_);
   if (estimator == SpectrumEstimator::windows) choose_windows();
 }
 

@@ -21,13 +21,16 @@ Window whole_tiles(V2i tile, V2i tiles, uint32_t seed) {
   return window;
 }
 
-// Draws the rows begin … end−1 by `rows_of(begin, end)`, linear, into a picture in CIELUV.
+// Draws the rows begin … end−1 by `rows_of(begin, end)`, linear, into a picture in CIELUV. What noise takes below black
+// is black, as on a screen: CIELUV has no such colours, and their u, v have no bounds.
 template <class RowsOf>
 Image<V3f> luv_by_strips(V2i size, const RowsOf& rows_of) {
   Image<V3f> picture(size.x, size.y);
   for (int begin = 0; begin < size.y; begin += kStripRows) {
-    const Image<V3f> rows = luv_from_linear(rows_of(begin, std::min(begin + kStripRows, size.y)));
-    std::copy(rows.begin(), rows.end(), picture.row(begin));
+    Image<V3f> rows = rows_of(begin, std::min(begin + kStripRows, size.y));
+    for (V3f& c : rows) c = {std::max(c.x, 0.0f), std::max(c.y, 0.0f), std::max(c.z, 0.0f)};
+    const Image<V3f> luv = luv_from_linear(rows);
+    std::copy(luv.begin(), luv.end(), picture.row(begin));
   }
   return picture;
 }

@@ -12,7 +12,8 @@ namespace texbake {
 namespace {
 
 TEST(PerspectiveParity, TheShaderSeesTheSamePlane) {
-  const SmallTile tile = random_tile({64, 128}, 5, Contents::turned, 11);
+  SmallTile tile = random_tile({64, 128}, 5, Contents::turned, 11);
+  add_noise(tile, 3, 32, 11);
   const Image<float> grey(64, 128, 0.25f);
   EvaluatorInput input = tile.input();
   input.maps.push_back({"height", MapKind::height, {grey}});

@@ -49,10 +49,21 @@ DecomposeOptions at(int local_size, int noises = 2) {
   return options;
 }
 
+constexpr int kSize = 512;
+
+/// Large spectra average most, small ones tell exactly where one noise ends.
+const Decomposition& split() {
+  static const Decomposition found = [] {
+    DecomposeOptions options = at(16);
+    options.mask_size = 2;
+    return decompose(Field(kSize).exemplar, options);
+  }();
+  return found;
+}
+
 TEST(Decompose, FindsKnownRegions) {
-  constexpr int kSize = 512;
   const Field field(kSize);
-  const Decomposition found = decompose(field.exemplar, at(2));  // small spectra tell exactly where one noise ends
+  const Decomposition& found = split();
   // The disc is brighter: dark noise comes first.
   int right = 0;
   int at_border = 0;
@@ -71,10 +82,8 @@ TEST(Decompose, FindsKnownRegions) {
 }
 
 TEST(Decompose, FindsKnownStructure) {
-  const Field field(512);
-  const Image<float> light = luminance(field.exemplar);
-  // The structure is flat: large spectra average most.
-  const Image<V3f> structure = extract_structure(field.exemplar, LocalSpectra(light, 16));
+  const Field field(kSize);
+  const Image<V3f>& structure = split().structure;
   double squares = 0.0;
   for (size_t i = 0; i < structure.size(); ++i) {
     const double error = double(structure.data()[i].x) - double(field.structure.data()[i]);

@@ -1,5 +1,6 @@
 #include "libbake/noise/spectrum.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "libbake/base/error.h"
@@ -103,6 +104,23 @@ TEST(MaskedSpectrum, TakesASmallerSizeForASmallMask) {
   EXPECT_EQ(MaskedSpectrum(mask, 64, SpectrumEstimator::autocovariance).size(), 16);
   const Image<uint8_t> few(128, 128);
   EXPECT_THROW(MaskedSpectrum(few, 64, SpectrumEstimator::autocovariance), Error);
+}
+
+TEST(MaskedSpectrum, SaysWhetherAMaskIsSmallOrScattered) {
+  const auto message = [](const Image<uint8_t>& mask) -> std::string {
+    try {
+      MaskedSpectrum(mask, 64, SpectrumEstimator::autocovariance);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Image<uint8_t> few(64, 64), scattered(64, 64);
+  few(3, 4) = 1;
+  for (int y = 0; y < 64; ++y)
+    for (int x = y % 2; x < 64; x += 2) scattered(x, y) = 1;  // no two beside each other
+  EXPECT_THAT(message(few), testing::HasSubstr("at least 64 texels in its mask, found 1;"));
+  EXPECT_THAT(message(scattered), testing::HasSubstr("64 pairs of neighbours in its mask"));
 }
 
 TEST(ResampleSpectrum, KeepsPowerAndShape) {
