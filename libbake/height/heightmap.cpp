@@ -11,11 +11,14 @@
 #include "libbake/height/appearance.h"
 #include "libbake/height/click_set.h"
 #include "libbake/height/descriptor.h"
+#include "libbake/height/refine.h"
 
 namespace texbake {
 namespace {
 
 constexpr double kTurn_rad = M_PI / 8;
+// Raises the correlation with known heights on all three photographs measured; from 32 on narrow cracks suffer.
+constexpr float kRefine = 16;
 
 void check(const std::vector<HeightClick>& clicks, V2i size) {
   if (clicks.empty()) throw Error(ErrorKind::bad_data, "expected one or more clicks, found none: give some heights");
@@ -77,21 +80,21 @@ void spread(Image<float>& heights, const ClickSet& set, const Blend& blend, cons
   });
 }
 
-Heightmap spread_by_appearance(ImageView<const V3f> base, const std::vector<HeightClick>& clicks, const Blend& blend,
+Heightmap spread_by_appearance(ImageView<const V3f> luv, const std::vector<HeightClick>& clicks, const Blend& blend,
                                int most, const Progress& progress) {
-  const AppearancePyramid pyramid(luv_from_linear(base));
+  const AppearancePyramid pyramid(luv);
   report(progress, 0.5);
   const ClickSet set = by_appearance(pyramid, clicks, most);
-  Heightmap result{Image<float>(base.width(), base.height()), {}, set.count()};
+  Heightmap result{Image<float>(luv.width(), luv.height()), {}, set.count()};
   spread(
       result.height_01, set, blend, [](int, int) { return true; }, [&](V2i texel) { return pyramid.at(texel); });
   return result;
 }
 
-Heightmap spread_by_gradients(const PrincipalVariation& colors, ImageView<const V3f> base,
+Heightmap spread_by_gradients(const PrincipalVariation& colors, ImageView<const V3f> luv,
                               const std::vector<HeightClick>& clicks, const Blend& blend, int most,
                               const Progress& progress) {
-  Heightmap result{Image<float>(base.width(), base.height()), {}, 0};
+  Heightmap result{Image<float>(luv.width(), luv.height()), {}, 0};
   const auto classes = static_cast<int>(colors.palette.classes.size());
   std::optional<AppearancePyramid> pyramid;
   std::optional<ClickSet> all;
@@ -104,7 +107,7 @@ Heightmap spread_by_gradients(const PrincipalVariation& colors, ImageView<const 
       spread(result.height_01, own, blend, in_class, [&](V2i texel) { return gradients.at(texel); });
     } else {
       result.classes_without_click.push_back(k);
-      if (!pyramid) pyramid.emplace(luv_from_linear(base));
+      if (!pyramid) pyramid.emplace(luv);
       if (!all) all = by_appearance(*pyramid, clicks, most);
       spread(result.height_01, *all, blend, in_class, [&](V2i texel) { return pyramid->at(texel); });
     }
@@ -121,6 +124,7 @@ HeightmapOptions resolve(const HeightmapOptions& options) {
   HeightmapOptions resolved = options;
   if (!resolved.nearest) resolved.nearest = paper ? 3 : 8;
   if (!resolved.falloff) resolved.falloff = paper ? 1 : 2;
+  if (!resolved.refine) resolved.refine = paper ? 0.0f : kRefine;
   return resolved;
 }
 
@@ -129,9 +133,12 @@ Heightmap heightmap(const PrincipalVariation& colors, ImageView<const V3f> base,
   const HeightmapOptions resolved = resolve(options);
   check(clicks, {base.width(), base.height()});
   const Blend blend{*resolved.nearest, *resolved.falloff};
-  if (resolved.descriptor == HeightDescriptor::appearance)
-    return spread_by_appearance(base, clicks, blend, resolved.max_representatives, progress);
-  return spread_by_gradients(colors, base, clicks, blend, resolved.max_representatives, progress);
+  const Image<V3f> luv = luv_from_linear(base);
+  Heightmap result = resolved.descriptor == HeightDescriptor::appearance
+                         ? spread_by_appearance(luv, clicks, blend, resolved.max_representatives, progress)
+                         : spread_by_gradients(colors, luv, clicks, blend, resolved.max_representatives, progress);
+  if (*resolved.refine > 0) result.height_01 = refine(result.height_01, luv, *resolved.refine);
+  return result;
 }
 
 }  // namespace texbake

@@ -32,6 +32,7 @@ struct HeightmapOptions {
   std::optional<int> nearest;
   std::optional<int> falloff;
   int max_representatives = 1024;
+  std::optional<float> refine;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -57,6 +58,13 @@ struct HeightmapOptions {
                 .max = 100000,
                 .help = "of more clicks, such as strokes of a brush, those are used whose surroundings differ most; "
                         "with gradients so many in each class"});
+    visit(self.refine,
+          Field{.name = "refine",
+                .min = 0,
+                .max = 1000,
+                .help = "how strongly heights are smoothed along the surface, up to edges of its colours; 0: "
+                        "not at all",
+                .auto_help = "16; with gradients 0"});
   }
 };
 HeightmapOptions resolve(const HeightmapOptions& options);
@@ -73,7 +81,8 @@ struct Heightmap {
 /// - gradients: eq. 7 between descriptors of eq. 6, among the clicks of the texel's colour class: gradients of the
 ///   variation, smoothed inside its class by σ = 1 … 6 px, at 3 × 3 texels; the least over turns of the click by −π/8,
 ///   0 and π/8. A class without a click goes by appearance.
-/// A texel at distance 0 from a click takes its height. One click gives a constant height.
+/// A texel at distance 0 from a click takes its height. At last heights are smoothed (refine.h), and then a click's
+/// height is smoothed like the others. One click gives a constant height.
 /// Throws Error(bad_data) without a click, for a click outside the tile, a height outside 0 … 1, or two heights on one
 /// texel.
 Heightmap heightmap(const PrincipalVariation& colors, ImageView<const V3f> base, const std::vector<HeightClick>& clicks,

@@ -11,11 +11,14 @@ make() { # make NAME [COMMAND...]: a bundle and a picture with `COMMAND... texba
     -o "$name/a.texbundle" $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" bake leaves.png -o "$name/b.texbundle" $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" bake pebbles.png --layers structure+noise -o "$name/c.texbundle" $FLAGS
+  "$@" "${PROGRAM:-$TEXBAKE}" heightmap "$name/b.texbundle" clicks.json $FLAGS
+  "$@" "${PROGRAM:-$TEXBAKE}" heightmap "$name/c.texbundle" clicks.json --descriptor gradients $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" render "$name/c.texbundle" -o "$name/c.exr" --size 200x100 --bits float --rotate 20 $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" render "$name/a.texbundle" -o "$name/a.png" --size 300x200 --origin -70,9 --step 0.7 $FLAGS
   "$@" "${PROGRAM:-$TEXBAKE}" render "$name/b.texbundle" -o "$name/b.exr" --size 300x200 --bits float $FLAGS
 }
 
+echo '[[5, 5, 0.5], [60, 40, 0.1], [30, 20, 0.3], [17, 50, 0.9]]' > clicks.json
 FLAGS="" make reference
 FLAGS="" make again
 same reference again

@@ -68,6 +68,7 @@ TEST_P(HeightmapOfEither, OneClickGivesAConstantHeight) {
 
 TEST_P(HeightmapOfEither, AClickedTexelHasItsHeight) {
   const std::vector<HeightClick> clicks = {{{8, 8}, 0.9f}, {{0, 0}, 0.1f}, {{11, 8}, 0.4f}};
+  options.refine = 0.0f;
   const Heightmap map = heights(one_class(light_of_bumps(48)), clicks, options);
   for (const HeightClick& click : clicks) EXPECT_EQ(map.height_01(click.texel.x, click.texel.y), click.height_01);
 }
@@ -118,6 +119,7 @@ TEST(Heightmap, TheValuesOfThePaperComeWithItsDescriptor) {
   options.descriptor = HeightDescriptor::gradients;
   EXPECT_EQ(resolve(options).nearest, 3);
   EXPECT_EQ(resolve(options).falloff, 1);
+  EXPECT_EQ(resolve(options).refine, 0.0f);
 }
 
 TEST(Heightmap, WithGradientsEachClassListensToItsOwnClicks) {
@@ -138,6 +140,7 @@ TEST(Heightmap, WithGradientsAClassWithoutAClickGoesByAppearance) {
   const Heightmap map = heights(colors, clicks, options);
   EXPECT_EQ(map.classes_without_click, std::vector<int>{1});
   options.descriptor = HeightDescriptor::appearance;
+  options.refine = 0.0f;
   const Heightmap by_appearance = heights(colors, clicks, options);
   for (int y = 0; y < 32; ++y)
     for (int x = 16; x < 32; ++x) EXPECT_EQ(map.height_01(x, y), by_appearance.height_01(x, y));
