@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/libbake/eval/level_painter.h"
+#include "tests/libbake/eval/stack_painter.h"
 
 namespace texbake {
 namespace {
@@ -110,6 +111,57 @@ Json tile_json(const SmallTile& tile) {
   return json;
 }
 
+Json scale_json(const ScaleTile& scale) {
+  Json json = tile_json(scale.tile);
+  json.erase("semantics");
+  const Partition& fragments = scale.fragments.partition;
+  for (const V2i& c : fragments.centers) json["fragment_centers"].push_back({c.x, c.y});
+  for (const Fragment& fragment : scale.fragments.fragments) json["fragment_class"].push_back(fragment.class_idx);
+  for (const uint32_t idx : fragments.idx) json["fragment_idx"].push_back(idx);
+  for (const OwnerOffset& owner : fragments.owner) {
+    json["fragment_owner_x"].push_back(owner.x);
+    json["fragment_owner_y"].push_back(owner.y);
+  }
+  for (const uint8_t k : scale.colors.index) json["class_idx"].push_back(k);
+  return json;
+}
+
+/// A point of the finest scale, with its colours near and faded into the coarser scale.
+Json stack_point_json(const SmallStack& stack, const Point& point, float fading) {
+  const StackPainter painter(stack, point.seed);
+  Json json = point_json(stack.tiles.back().tile, point);
+  json["nearest"] = color_json(painter.fine_texel(point.x_256 >> 8, point.y_256 >> 8));
+  json["bilinear"] = color_json(painter.fine_bilinear(point.x_256, point.y_256));
+  json["fading"] = fading;
+  json["faded"] = color_json(painter.faded(point.x_256, point.y_256, fading));
+  return json;
+}
+
+/// The texture of several scales is whole from repetition -2^31 to 2^31 - 1 of the finest.
+bool is_whole(const Point& point, V2i n) {
+  const auto inside = [](int64_t at_256, int side) {
+    return std::abs(at_256) < (int64_t{1} << 31) * side * 256 - side * 256;
+  };
+  return inside(point.x_256, n.x) && inside(point.y_256, n.y);
+}
+
+std::string stack_text_of(const SmallStack& stack) {
+  Random random(2026, 7);
+  const ScaleTransfer& transfer = stack.transfers.back();
+  std::string text = "{\n\"semantics\": " + std::to_string(kShaderSemantics) + ",\n\"scales\": [\n";
+  for (const ScaleTile& scale : stack.tiles)
+    text += scale_json(scale).dump() + (&scale == &stack.tiles.back() ? "\n],\n" : ",\n");
+  text += "\"ratio\": " + std::to_string(transfer.ratio) + ",\n\"weights\": " + Json(transfer.weights).dump() +
+          ",\n\"coarse_weights\": " + Json(transfer.coarse_weights).dump() + ",\n\"points\": [\n";
+  std::vector<Point> points = points_of(stack.tiles.back().tile.size());
+  std::erase_if(points, [&](const Point& point) { return !is_whole(point, stack.tiles.back().tile.size()); });
+  for (const Point& point : points) {
+    const float fading = static_cast<float>(random.below(4) + 1) / 4.0f;
+    text += stack_point_json(stack, point, fading).dump() + (&point == &points.back() ? "\n]\n}\n" : ",\n");
+  }
+  return text;
+}
+
 enum class Levels { without, with };
 
 /// Members and points one to a line.
@@ -156,7 +208,12 @@ bool write_all(const std::string& folder) {
   all = done("levels", random_tile({16, 32}, 3, Contents::turned, 104), Levels::with) && all;
   SmallTile noise_levels = random_tile({16, 32}, 3, Contents::turned, 105);
   add_noise(noise_levels, 2, 32, 105);
-  return done("noise_levels", noise_levels, Levels::with) && all;
+  all = done("noise_levels", noise_levels, Levels::with) && all;
+  SmallStack stack;
+  stack.add(random_scale({32, 16}, 3, Contents::turned, 106));
+  stack.add(random_scale({16, 32}, 3, Contents::moved, 107),
+            {.ratio = 5, .weights = {0.5f, 1}, .coarse_weights = {1, 0.25f}});
+  return write(folder + "/stack.json", stack_text_of(stack)) && all;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/golden/golden_stack.h"
+
 namespace texbake {
 namespace {
 
@@ -28,6 +30,20 @@ TEST(Golden, TheProcessorGivesEveryVector) {
       EXPECT_EQ(level_256_of(trilinear, golden.planes.level_count), point.level_256) << name;
       EXPECT_EQ(color_at(reference_frame(golden.planes, trilinear, golden.planes.base)), point.trilinear) << name;
     }
+  }
+}
+
+TEST(Golden, TheProcessorGivesEveryVectorOfAStack) {
+  const GoldenStack golden = read_golden_stack();
+  EXPECT_EQ(golden.semantics, kShaderSemantics);
+  EXPECT_GT(golden.points.size(), 100u);
+  for (const GoldenStackPoint& point : golden.points) {
+    const Window nearest = point.near.window(Filter::nearest), bilinear = point.near.window(Filter::bilinear);
+    const Frame frame = reference_stack_frame(golden.planes, nearest, point.view());
+    EXPECT_EQ(frame.decisions(0, 0), point.near.decision);
+    EXPECT_EQ(color_at(frame), point.near.nearest);
+    EXPECT_EQ(color_at(reference_stack_frame(golden.planes, bilinear, point.view())), point.near.bilinear);
+    EXPECT_EQ(color_at(reference_stack_frame(golden.planes, bilinear, point.faded_view())), point.faded);
   }
 }
 

@@ -3,7 +3,8 @@
 
 #include "gl_test_context.h"
 #include "libbake/gl/gl_renderer.h"
-#include "tests/golden/golden.h"
+#include "libbake/gl/gl_stack_renderer.h"
+#include "tests/golden/golden_stack.h"
 
 namespace texbake {
 namespace {
@@ -29,6 +30,23 @@ TEST(GoldenGl, TheShaderGivesEveryVector) {
         const Window trilinear = point.trilinear_window(golden.planes.size);
         EXPECT_EQ(color_at(renderer.draw(trilinear, golden.planes.base)), point.trilinear) << name;
       }
+    }
+  }
+}
+
+TEST(GoldenGl, TheShaderGivesEveryVectorOfAStack) {
+  for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
+    const auto context = test_context(language);
+    if (!context) GTEST_SKIP() << "no OpenGL";
+    const GoldenStack golden = read_golden_stack();
+    GlStackRenderer renderer(*context, golden.planes);
+    for (const GoldenStackPoint& point : golden.points) {
+      const Window nearest = point.near.window(Filter::nearest), bilinear = point.near.window(Filter::bilinear);
+      const Frame frame = renderer.draw(nearest, point.view());
+      EXPECT_EQ(frame.decisions(0, 0), point.near.decision);
+      EXPECT_EQ(color_at(frame), point.near.nearest);
+      EXPECT_EQ(color_at(renderer.draw(bilinear, point.view())), point.near.bilinear);
+      EXPECT_EQ(color_at(renderer.draw(bilinear, point.faded_view())), point.faded);
     }
   }
 }
