@@ -1,7 +1,8 @@
 // The dilated borders of all patches, cut into chunks whose errors are summed for many translations at once.
 //
 // E(p, p+t) of eq. 3 does not know to which patch p belongs, so borders that two patches share are summed once for
-// both. A chunk is a block of the torus; its border texels are reached row by row, and M ∗ δ by running sums:
+// both. A chunk is a block of the torus; its border texels are reached row by row (or column by column, where borders
+// run downwards: see Rows), and M ∗ δ by running sums:
 //
 //   fetch   δ of a row, three rows ahead of the errors      . . . x x x x . .
 //   open    column sums of seven rows of δ, from nothing      | | | |
@@ -20,15 +21,14 @@
 
 namespace texbake {
 
-inline constexpr int kChunkSide =
-    32;  ///< texels: larger blocks share more of δ, smaller ones keep it in the nearest cache
+/// Texels: larger blocks share more of δ, smaller ones keep it in the nearest cache.
+inline constexpr int kChunkSide = 48;
 inline constexpr int kChunkStride = kChunkSide + 2 * kMaskRadius;  ///< columns of δ that a chunk needs
 
 enum class SegmentKind : uint8_t { fetch, open, slide, sum, extend };
 
-/// One step of a chunk: `count` columns from `x` of row `y`, in the frame of the chunk, which begins kMaskRadius texels
-/// left of and above its block. For `open` and `slide` the row is the middle of the
-/// column sums, kMaskRadius above the row that is fetched.
+/// One step of a chunk: `count` columns from `x` of row `y`, in the frame of the chunk, see Chunk::texel. For `open`
+/// and `slide` the row is the middle of the column sums, kMaskRadius above the row that is fetched.
 struct Segment {
   SegmentKind kind;
   uint8_t y;
@@ -43,12 +43,20 @@ struct ChunkSum {
   uint64_t bound = 0;  ///< no translation gives more; below 2^32
 };
 
+/// How the rows of a chunk's frame lie on the tile: along the borders, so that its segments are long.
+enum class Rows : uint8_t { across, down };
+
+/// A block and its frame, which begins kMaskRadius texels left of and above it.
 struct Chunk {
-  V2i origin{0, 0};  ///< of its frame: −kMaskRadius … size−1−kMaskRadius
+  V2i origin{0, 0};  ///< of the frame: −kMaskRadius … size−1−kMaskRadius
+  Rows rows = Rows::across;
   int texel_count = 0;
   double expected_error = 0;  ///< roughly, for a translation taken at random
   std::vector<Segment> segments;
   std::vector<ChunkSum> sums;
+
+  /// The texel of the tile, not wrapped, at column x and row y of the frame.
+  V2i texel(int x, int y) const { return origin + (rows == Rows::across ? V2i(x, y) : V2i(y, x)); }
 };
 
 using BorderProgram = std::vector<Chunk>;

@@ -45,11 +45,15 @@ class Rounds {
   void run(std::span<const GroupTask> tasks, const Progress& progress) {
     const size_t first = (tasks.size() / kFirstRoundShare / kBatch + 1) * kBatch;
     const size_t longest = (tasks.size() / kLongestRoundShare / kBatch + 1) * kBatch;
+    size_t learnt = 0;
     for (size_t begin = 0; begin < tasks.size();) {
       const size_t end = std::min(tasks.size(), std::max(first, begin + std::min(begin, longest)));
       run_round(tasks.subspan(begin, end - begin));
       begin = end;
-      if (begin < tasks.size()) learn_limits();
+      if (begin < tasks.size() && begin >= 2 * learnt) {
+        learn_limits();
+        learnt = begin;
+      }
       if (attempts_ == 0) report(progress, static_cast<double>(begin) / static_cast<double>(tasks.size()));
     }
     take_all();
@@ -97,13 +101,14 @@ class Rounds {
       }
     });
     for (const Batch& batch : batches) error_count_ += batch.error_count;
-    for (size_t patch = 0; patch < open_.size(); ++patch) {
+    parallel_for(0, static_cast<int>(open_.size()), [&](int p) {
+      const auto patch = static_cast<size_t>(p);
       size_t count = found_[patch].size();
       for (const Batch& batch : batches) count += batch.found[patch].size();
       found_[patch].reserve(count);  // no more than needed: this is most of the memory of a search
       for (const Batch& batch : batches)
         found_[patch].insert(found_[patch].end(), batch.found[patch].begin(), batch.found[patch].end());
-    }
+    });
   }
 
   static V2i translation(V2i first, int lane) { return first + V2i(lane % kGroupWidth, lane / kGroupWidth); }

@@ -33,7 +33,7 @@ class ChunkRunner {
       for (int i = 0; i < segment.count; ++i)
         for (int lane = 0; lane < kGroupSize; ++lane)
           sums_[segment.sum * kGroupSize + static_cast<unsigned>(lane)] +=
-              error(chunk.origin + V2i(segment.x + i, segment.y), t + V2i(lane % kGroupWidth, lane / kGroupWidth));
+              error(chunk.texel(segment.x + i, segment.y), t + V2i(lane % kGroupWidth, lane / kGroupWidth));
     }
   }
 
@@ -80,20 +80,23 @@ class ChunkRunner {
     for (int lane = 0; lane < kGroupWidth; lane += static_cast<int>(hn::Lanes(d8))) {
       const V2i there = chunk.origin + t + V2i(lane, 0);
       if (field_.plane_count() == 1)
-        run_lanes(chunk, OnePlane(field_, chunk.origin, there), sums_ + lane);
+        run_lanes(chunk, OnePlane(field_, chunk, there), sums_ + lane);
       else
-        run_lanes(chunk, ManyPlanes(field_, chunk.origin, there), sums_ + lane);
+        run_lanes(chunk, ManyPlanes(field_, chunk, there), sums_ + lane);
     }
   }
 
  private:
   // δ of the texels of a chunk's frame: the distances of each one's class to those found a translation away.
   struct OnePlane {
-    HWY_ATTR OnePlane(const DistanceField& field, V2i here_at, V2i there_at)
-        : here(field.class_at(here_at)),
+    HWY_ATTR OnePlane(const DistanceField& field, const Chunk& chunk, V2i there_at)
+        : here(field.class_at(chunk.origin)),
           there(field.plane_at(there_at)),
           tables(field.tables()),
-          stride(field.stride()) {}
+          stride(field.stride()),
+          to_right(chunk.rows == Rows::across ? 1 : stride),
+          to_below(chunk.rows == Rows::across ? stride : 1) {}
+    HWY_ATTR HWY_INLINE ptrdiff_t at(int x, int y) const { return x * to_right + y * to_below; }
     HWY_ATTR HWY_INLINE Bytes operator()(ptrdiff_t texel) const {
       const auto table = hn::LoadDup128(d8, tables + 16 * here[texel]);
       Bytes found;
@@ -105,10 +108,11 @@ class ChunkRunner {
     const uint8_t* there;
     const uint8_t* tables;
     ptrdiff_t stride;
+    ptrdiff_t to_right, to_below;  // from a texel of the frame to the next one
   };
   struct ManyPlanes : OnePlane {
-    HWY_ATTR ManyPlanes(const DistanceField& field, V2i here_at, V2i there_at)
-        : OnePlane(field, here_at, there_at), plane_count(field.plane_count()), plane_size(field.plane_size()) {}
+    HWY_ATTR ManyPlanes(const DistanceField& field, const Chunk& chunk, V2i there_at)
+        : OnePlane(field, chunk, there_at), plane_count(field.plane_count()), plane_size(field.plane_size()) {}
     HWY_ATTR HWY_INLINE Bytes operator()(ptrdiff_t texel) const {
       Bytes found;
       for (int r = 0; r < kGroupRows; ++r) {
@@ -154,10 +158,10 @@ class ChunkRunner {
 
   template <class DeltaOf>
   HWY_ATTR HWY_INLINE void fetch(const Segment& segment, const DeltaOf& delta_of) {
-    const ptrdiff_t texel = segment.y * delta_of.stride + segment.x;
+    ptrdiff_t texel = delta_of.at(segment.x, segment.y);
     uint8_t* out = delta(segment.x, segment.y);
     const int count = segment.count;
-    for (int i = 0; i < count; ++i, out += slot()) store(delta_of(texel + i), out);
+    for (int i = 0; i < count; ++i, texel += delta_of.to_right, out += slot()) store(delta_of(texel), out);
   }
 
   HWY_ATTR HWY_INLINE void open(const Segment& segment) {
@@ -171,15 +175,16 @@ class ChunkRunner {
   template <class DeltaOf>
   HWY_ATTR HWY_INLINE void slide(const Segment& segment, const DeltaOf& delta_of) {
     const int row = segment.y + kMaskRadius;
-    const ptrdiff_t texel = row * delta_of.stride + segment.x;
+    ptrdiff_t texel = delta_of.at(segment.x, row);
     uint8_t* entering = delta(segment.x, row);
     const uint8_t* leaving = delta(segment.x, row - kMaskSide);
     uint16_t* columns = column(segment.x);
     const int count = segment.count;
     for (int i = 0; i < count; ++i) {
-      const Bytes fetched = delta_of(texel + i);
+      const Bytes fetched = delta_of(texel);
       store(load(columns) + widen(fetched) - widen(load(leaving)), columns);
       store(fetched, entering);
+      texel += delta_of.to_right;
       entering += slot();
       leaving += slot();
       columns += slot();

@@ -18,7 +18,8 @@ inline bool far_enough(V2i a, V2i b, V2i size, int separation_px) {
   return std::max(std::abs(d.x), std::abs(d.y)) >= separation_px;
 }
 
-/// Items 0 … count−1, of which the best is taken again and again, and all that are not far enough from it leave.
+/// Items 0 … count−1 with translations of 0 … size−1, of which the best is taken again and again, and all that are not
+/// far enough from it leave.
 /// `TranslationOf` gives the translation of an item, `Before` orders items strictly.
 template <class TranslationOf, class Before>
 class TakeApart {
@@ -31,18 +32,29 @@ class TakeApart {
         items_(count),
         cells_(static_cast<size_t>(grid_.cells.x * grid_.cells.y)) {
     // Sort the items by their cells.
+    std::vector<uint32_t> column_cells, row_cells;  // divisions would take most of the time
+    for (int x = 0; x < size.x; ++x) column_cells.push_back(static_cast<uint32_t>(grid_.cell_of({x, 0}).x));
+    for (int y = 0; y < size.y; ++y) row_cells.push_back(static_cast<uint32_t>(cell_idx({0, grid_.cell_of({0, y}).y})));
+    const auto cell_of = [&](uint32_t item) {
+      const V2i t = translation_of_(item);
+      return row_cells[static_cast<size_t>(t.y)] + column_cells[static_cast<size_t>(t.x)];
+    };
     std::vector<uint32_t> begins(cells_.size() + 1, 0);
-    for (uint32_t i = 0; i < count; ++i) ++begins[cell_idx(grid_.cell_of(translation_of_(i))) + 1];
+    for (uint32_t i = 0; i < count; ++i) ++begins[cell_of(i) + 1];
     std::partial_sum(begins.begin(), begins.end(), begins.begin());
     for (size_t c = 0; c < cells_.size(); ++c) cells_[c] = {begins[c], begins[c + 1], kNone};
-    for (uint32_t i = 0; i < count; ++i) items_[begins[cell_idx(grid_.cell_of(translation_of_(i)))]++] = i;
+    for (uint32_t i = 0; i < count; ++i) items_[begins[cell_of(i)]++] = i;
     for (Cell& cell : cells_) keep(cell, [](uint32_t) { return true; });
   }
 
   /// Removes what is not far enough from `t`.
   void leave_out(V2i t) {
     const V2i size = grid_.size_px;
-    const auto is_far = [&](uint32_t item) { return far_enough(translation_of_(item), t, size, separation_px_); };
+    const auto is_far = [&](uint32_t item) {  // far_enough without divisions
+      const V2i p = translation_of_(item);
+      const int dx = std::abs(p.x - t.x), dy = std::abs(p.y - t.y);
+      return std::max(std::min(dx, size.x - dx), std::min(dy, size.y - dy)) >= separation_px_;
+    };
     const Range xs = cells_near(t.x, size.x, grid_.cells.x), ys = cells_near(t.y, size.y, grid_.cells.y);
     for (int y = 0; y < ys.count; ++y)
       for (int x = 0; x < xs.count; ++x)

@@ -27,7 +27,7 @@ TEST(BorderProgram, SumsEveryBorderTexelOnceForItsPatches) {
     for (const Segment& segment : chunk.segments) {
       if (!is_sum(segment)) continue;
       for (int i = 0; i < segment.count; ++i, ++texels) {
-        const V2i p = wrap(chunk.origin + V2i(segment.x + i, segment.y), V2i(90, 75));
+        const V2i p = wrap(chunk.texel(segment.x + i, segment.y), V2i(90, 75));
         EXPECT_EQ(chunk.sums[segment.sum].patches, f.borders.sets[f.borders.set_idx(p.x, p.y)]);
         ++seen(p.x, p.y);
       }
@@ -64,6 +64,21 @@ TEST(BorderProgram, FetchesWhatItsSumsNeedBeforeTheyNeedIt) {
         }
       }
   }
+}
+
+TEST(BorderProgram, RunsAlongItsBorders) {
+  // Stripes that run down the tile and stripes that run across it, with the same steps.
+  Image<uint32_t> down(48, 48), across(48, 48);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x) down(x, y) = across(y, x) = static_cast<uint32_t>(x / 24);
+  const Image<uint8_t> classes(48, 48);
+  const V3f colors[] = {{0, 0, 0}};
+  const ClassDistances distances = class_distances(colors);
+  const BorderProgram down_program = border_program(patch_borders(down, 2), classes, distances);
+  const BorderProgram across_program = border_program(patch_borders(across, 2), classes, distances);
+  EXPECT_EQ(down_program.at(0).rows, Rows::down);
+  EXPECT_EQ(across_program.at(0).rows, Rows::across);
+  EXPECT_EQ(down_program.at(0).segments.size(), across_program.at(0).segments.size());
 }
 
 TEST(BorderProgram, NoSumCanPass32Bits) {
