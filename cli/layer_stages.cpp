@@ -94,6 +94,7 @@ void run_decompose(Bundle& bundle, const DecomposeOptions& options, const std::s
   scale.masks = std::move(result.masks);
   DecomposeOptions effective = options;
   effective.local_size = result.local_size.local_size;
+  effective.sigma = result.sigma;
   effective.mask_size = options.mask_size.value_or(result.local_size.local_size);
   const Json figures = decompose_figures(result, palette);
   scale.colors = std::move(palette.colors);

@@ -90,7 +90,7 @@ struct SelectContentsOptions {
                              .min = 1,
                              .max = 16,
                              .help = "contents may be shown smaller",
-                             .auto_help = "1, but 3 on a structure"});
+                             .auto_help = "1"});
     visit(self.min_scale, Field{.name = "min-scale", .min = 0.5, .max = 1, .help = "the smallest of several sizes"});
     visit(self.lattice, Field{.name = "lattice",
                               .help = "auto: where bricks or a weave show a lattice, contents move along it alone; "
@@ -131,8 +131,7 @@ struct ContentSelection {
 
 SelectContentsOptions resolve(const SelectContentsOptions& options, int width, int height);
 
-/// The options with `rotations` and `scales` that suit a structure, whose grain is drawn apart, where they are not
-/// given.
+/// The options with the `rotations` that suit a structure, whose grain is drawn apart, where they are not given.
 SelectContentsOptions deforming(const SelectContentsOptions& options);
 
 /// `base` is the picture behind `colors`, linear Rec.709. Throws Error(infeasible) when the tile is too small for

@@ -15,6 +15,8 @@ namespace texbake {
 namespace {
 
 constexpr double kWeakNoise = 1e-4;  // share of the variance below which there is nothing to synthesise
+constexpr float kSigma = 0.01f;      // the paper's
+constexpr double kLostDirection = 0.02;
 
 /// As the bundle stores a structure: light, so not negative, which a second pass could make it.
 void round_to_light(Image<V3f>& image) {
@@ -52,16 +54,41 @@ SynthesisTest compare(ImageView<const V3f> exemplar, const Image<V3f>& synthesis
 
 /// BL17 §7: the noise is an exemplar of its own, and what its finer local spectra tell apart is structure. Half the
 /// size and half the tolerance: at the first pass's own it would find little more than that did.
-Image<V3f> extract_again(ImageView<const V3f> exemplar, const Image<V3f>& structure, int local_size,
+Image<V3f> extract_again(ImageView<const V3f> exemplar, const Image<V3f>& structure, int local_size, float sigma,
                          const DecomposeOptions& options) {
   const Image<V3f> noise = noise_layer(exemplar, structure);
   const Image<float> light = luminance(noise);
   const LocalSpectra spectra(light, std::max(2, local_size / 2));
-  Image<V3f> more = extract_structure(
-      noise, spectra, {.sigma = static_cast<double>(options.sigma) / 2.0, .iterations = options.iterations});
+  Image<V3f> more =
+      extract_structure(noise, spectra, {.sigma = static_cast<double>(sigma) / 2.0, .iterations = options.iterations});
   for (size_t i = 0; i < more.size(); ++i) more.data()[i] += structure.data()[i];
   round_to_light(more);
   return more;
+}
+
+/// Structure, masks and synthesis with the sigma that `options` have.
+LocalSizeCandidate split(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options) {
+  const Image<float> light = luminance(exemplar);
+  const LocalSpectra spectra(light, local_size);
+  LocalSizeCandidate candidate;
+  candidate.sigma = *options.sigma;
+  candidate.structure = extract_structure(
+      exemplar, spectra, {.sigma = static_cast<double>(candidate.sigma), .iterations = options.iterations});
+  round_to_light(candidate.structure);
+  candidate.masks =
+      make_masks(exemplar, options.mask_size ? LocalSpectra(light, *options.mask_size) : spectra, options);
+  candidate.synthesis = synthesise(exemplar, candidate.structure, candidate.masks, local_size);
+  candidate.test = compare(exemplar, candidate.synthesis, local_size);
+  return candidate;
+}
+
+/// Direction that is lost is structure that was taken for grain: then half of the tolerance keeps more of it.
+DecomposeOptions with_sigma(ImageView<const V3f> exemplar, const DecomposeOptions& options) {
+  DecomposeOptions resolved = options;
+  if (options.sigma) return resolved;
+  resolved.sigma = kSigma;
+  if (split(exemplar, kLocalSizes[0], resolved).test.coherence_drop > kLostDirection) resolved.sigma = kSigma / 2;
+  return resolved;
 }
 
 double variance_share(ImageView<const V3f> exemplar, const Image<V3f>& structure) {
@@ -115,26 +142,17 @@ void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& opti
 }
 
 LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options) {
-  const Image<float> light = luminance(exemplar);
-  const LocalSpectra spectra(light, local_size);
-  LocalSizeCandidate candidate;
-  candidate.structure = extract_structure(
-      exemplar, spectra, {.sigma = static_cast<double>(options.sigma), .iterations = options.iterations});
-  round_to_light(candidate.structure);
-  candidate.masks =
-      make_masks(exemplar, options.mask_size ? LocalSpectra(light, *options.mask_size) : spectra, options);
-  candidate.synthesis = synthesise(exemplar, candidate.structure, candidate.masks, local_size);
-  candidate.test = compare(exemplar, candidate.synthesis, local_size);
-  return candidate;
+  return split(exemplar, local_size, with_sigma(exemplar, options));
 }
 
 std::vector<LocalSizeCandidate> local_size_candidates(ImageView<const V3f> exemplar, const DecomposeOptions& options,
                                                       const Progress& progress) {
   check_decompose(exemplar, options);
+  const DecomposeOptions resolved = with_sigma(exemplar, options);
   std::vector<LocalSizeCandidate> candidates;
   for (const int size : kLocalSizes) {
     if (std::min(exemplar.width(), exemplar.height()) < 2 * size) break;
-    candidates.push_back(decompose_at(exemplar, size, options));
+    candidates.push_back(split(exemplar, size, resolved));
     report(progress, size / 16.0);  // the largest takes half of the time
   }
   return candidates;
@@ -155,6 +173,7 @@ Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& o
   check_decompose(exemplar, options);
   Decomposition result;
   LocalSizeCandidate candidate = chosen_candidate(std::move(candidates), options.local_size, result);
+  result.sigma = candidate.sigma;
   result.structure = std::move(candidate.structure);
   result.masks = std::move(candidate.masks);
   result.result = candidate.test;
@@ -162,7 +181,7 @@ Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& o
 
   if (options.second_pass == SecondPass::automatic && candidate.test.coherence_drop > kStructureInNoise) {
     const int size = result.local_size.local_size;
-    result.structure = extract_again(exemplar, result.structure, size, options);
+    result.structure = extract_again(exemplar, result.structure, size, result.sigma, options);
     result.result = compare(exemplar, synthesise(exemplar, result.structure, result.masks, size), size);
     result.second_pass = true;
   }

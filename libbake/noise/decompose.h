@@ -33,7 +33,7 @@ struct DecomposeOptions {
   float color_weight = 1.0f;
   float sharp_border_px = 0.0f;
   SecondPass second_pass = SecondPass::automatic;
-  float sigma = 0.01f;
+  std::optional<float> sigma;
   int iterations = 5;
   uint32_t seed = 1;
 
@@ -71,7 +71,8 @@ struct DecomposeOptions {
     visit(self.sigma, Field{.name = "structure-sigma",
                             .min = 1e-4,
                             .max = 1,
-                            .help = "how different two local spectra may be, in 10 standard deviations of luminance"});
+                            .help = "how different two local spectra may be, in 10 standard deviations of luminance",
+                            .auto_help = "0.01, the paper's, or half of it where that takes structure for noise"});
     visit(self.iterations,
           Field{.name = "structure-iterations", .min = 1, .max = 50, .help = "how often the structure is filtered"});
     visit(self.seed, Field{.name = "mask-seed", .min = 0, .max = 4294967295.0, .help = "seed of the clustering"});
@@ -80,6 +81,7 @@ struct DecomposeOptions {
 
 /// The decomposition at one T_loc, for the choice by eye of BL17 Fig. 14.
 struct LocalSizeCandidate {
+  float sigma = 0;
   Image<V3f> structure;
   std::vector<Image<float>> masks;
   Image<V3f> synthesis;  ///< structure + noise made again
@@ -90,6 +92,7 @@ struct Decomposition {
   Image<V3f> structure;             ///< half-exact, ≥ 0; exemplar − structure is the noise
   std::vector<Image<float>> masks;  ///< K, and one more with sharp borders; see masks.h
   LocalSizeChoice local_size;
+  float sigma = 0;                    ///< that was used
   std::vector<SynthesisTest> tested;  ///< every T_loc that was tried, by rising size; first pass
   SynthesisTest result;               ///< of the last pass, before sharp borders
   bool second_pass = false;           ///< whether it ran
@@ -102,10 +105,12 @@ struct Decomposition {
 /// not fit, Error(infeasible) for an exemplar without luminance contrast or smaller than 2 · local size.
 void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options);
 
-/// One T_loc, first pass, without sharp borders.
+/// One T_loc, first pass, without sharp borders. Where sigma is not set it is 0.01, or half of it where at 0.01 and the
+/// smallest T_loc the coherence of the synthesis drops by more than 0.02 below the exemplar's: 0.03 to 0.09 in bark,
+/// grass, moss and leaves, 0.02 at most in rust, sand and known Gaussian fields.
 LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options);
 
-/// All sizes that fit the exemplar, by rising size.
+/// All sizes that fit the exemplar, by rising size, at one sigma.
 std::vector<LocalSizeCandidate> local_size_candidates(ImageView<const V3f> exemplar, const DecomposeOptions& options,
                                                       const Progress& progress = {});
 

@@ -21,7 +21,7 @@ Image<V3f> hex_luv(ImageView<const V3f> tile_linear, V2i tiles, uint32_t seed);
 struct RenderingSources {
   Image<V2i> source;
   Image<uint32_t> shape;  ///< see SeamOptions
-  Image<V3f> shown;       ///< with soft borders: the rendering in CIELUV; else empty
+  Image<V3f> shown;       ///< with soft borders or noise: the rendering in CIELUV; else empty
 };
 RenderingSources bundle_sources(const EvaluatorPlanes& planes, V2i tiles, uint32_t seed);
 RenderingSources periodic_sources(V2i tile, V2i tiles);

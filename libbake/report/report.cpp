@@ -82,7 +82,7 @@ void measure_method_seams(const Scene& scene, Method method, uint32_t seed, Meas
         row[measure] = Measured::undefined("every texel blends three readings: there is no seam");
       return;
     default:
-      return measure_seams(scene.base_luv, bundle_sources(scene.planes, scene.seam_tiles, seed), Adjacency::torus, row);
+      return measure_seams(scene.luv, bundle_sources(scene.planes, scene.seam_tiles, seed), Adjacency::torus, row);
   }
 }
 
@@ -123,7 +123,7 @@ class Measuring {
     for (ReportPicture& picture : rendering_pictures(title_of(method), rendering, scene_.size()))
       report_.pictures.push_back(std::move(picture));
     if (method != Method::bundle) return;
-    report_.pictures.push_back(seam_picture(scene_.base_luv, bundle_sources(scene_.planes, {2, 2}, 0)));
+    report_.pictures.push_back(seam_picture(scene_.luv, bundle_sources(scene_.planes, {2, 2}, 0)));
     report_.pictures.push_back(repetition_picture(rendering, scene_.size()));
   }
 

@@ -162,7 +162,7 @@ TEST(SelectContents, DeformsByDefaultOnlyWhereTheCallerSaysSo) {
   EXPECT_EQ(resolve({}, 512, 512).scales, 1);
   const SelectContentsOptions deformed = resolve(deforming({}), 512, 512);
   EXPECT_EQ(deformed.rotations, 2);  // half a turn keeps directions
-  EXPECT_EQ(deformed.scales, 3);
+  EXPECT_EQ(deformed.scales, 1);  // plates and leaves keep their size
   EXPECT_EQ(deformed.search, Search::refined);
   SelectContentsOptions asked;
   asked.rotations = 1;

@@ -135,13 +135,30 @@ TEST(Decompose, SharpBordersCostOneMask) {
   EXPECT_THROW(decompose(field.exemplar, options), Error);
 }
 
-TEST(Decompose, ASecondPassRunsWhereLinesWereTakenForGrain) {
-  // Wavy lines in random grain: coherent, and far from Gaussian.
+/// Wavy lines: coherent, and far from Gaussian.
+Image<V3f> wavy_lines() {
   const Image<float> bend = synthetic_noise(blob_power, 96, 16.0, 5);
   Image<V3f> lines(96, 96);
   for (int y = 0; y < 96; ++y)
     for (int x = 0; x < 96; ++x)
       lines(x, y) = half_exact(V3f(wrap(static_cast<int>(std::lround(float(x) + bend(x, y))), 16) < 2 ? 0.2f : 0.6f));
+  return lines;
+}
+
+TEST(Decompose, TheToleranceIsHalvedWhereLinesWouldBeTakenForGrain) {
+  EXPECT_EQ(split().sigma, 0.01f) << "Gaussian";
+  DecomposeOptions options = at(4, 1);
+  const Decomposition lines = decompose(wavy_lines(), options);
+  EXPECT_EQ(lines.sigma, 0.005f);
+  options.sigma = 0.01f;
+  const Decomposition asked = decompose(wavy_lines(), options);
+  EXPECT_EQ(asked.sigma, 0.01f);
+  EXPECT_LT(lines.noise_share, asked.noise_share);
+  EXPECT_LT(lines.result.coherence_drop, asked.result.coherence_drop);
+}
+
+TEST(Decompose, ASecondPassRunsWhereLinesWereTakenForGrain) {
+  const Image<V3f> lines = wavy_lines();
   DecomposeOptions options;
   options.noises = 1;
   options.local_size = 8;
