@@ -38,7 +38,14 @@ void spectra_and_structure(benchmark::State& state) {
     benchmark::DoNotOptimize(extract_structure(image, spectra));
   }
 }
-BENCHMARK(spectra_and_structure)->Arg(2)->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(spectra_and_structure)
+    ->Arg(2)
+    ->Arg(4)
+    ->Arg(8)
+    ->Arg(16)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 /// The filter as it is written in the paper: distances again in every iteration, texel by texel.
 void obvious_structure(benchmark::State& state) {
@@ -72,7 +79,12 @@ void obvious_structure(benchmark::State& state) {
     benchmark::DoNotOptimize(from);
   }
 }
-BENCHMARK(obvious_structure)->Arg(4)->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+BENCHMARK(obvious_structure)
+    ->Arg(4)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void masks(benchmark::State& state) {
   const Image<V3f> image = exemplar(512);
@@ -83,13 +95,18 @@ void masks(benchmark::State& state) {
     benchmark::DoNotOptimize(assign_masks(features, cluster_grain(features, 3, 1), MaskKind::soft));
   }
 }
-BENCHMARK(masks)->Arg(4)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(masks)->Arg(4)->Arg(16)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 void decompose_automatic(benchmark::State& state) {
   const Image<V3f> image = exemplar(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(decompose(image));
 }
-BENCHMARK(decompose_automatic)->Arg(512)->Unit(benchmark::kMillisecond)->Iterations(1)->UseRealTime();
+BENCHMARK(decompose_automatic)
+    ->Arg(512)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace texbake
