@@ -7,6 +7,7 @@
 #include "formats/bundle_io.h"
 #include "formats/web_export.h"
 #include "libbake/eval/levels.h"
+#include "libbake/eval/stack_levels.h"
 
 namespace texbake {
 namespace {
@@ -23,10 +24,18 @@ Outcome run(const Request& request, Console& console) {
   const std::string folder = request.output.empty() ? default_web_folder(request.bundle) : request.output;
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  EvaluatorPlanes planes = prepare(evaluator_input(bundle));
-  add_levels(planes, planes.base);
-  console.step("export");
-  export_web(planes, folder);
+  if (bundle.scales.size() > 1) {
+    const std::vector<StackScale> scales = stack_input(bundle);
+    StackPlanes planes = prepare_stack(scales);
+    add_levels(planes, scales);
+    console.step("export");
+    export_web(planes, folder);
+  } else {
+    EvaluatorPlanes planes = prepare(evaluator_input(bundle));
+    add_levels(planes, planes.base);
+    console.step("export");
+    export_web(planes, folder);
+  }
   const std::string page = folder + "/index.html";
   return {.text = page + "\n", .result = {{"output", folder}, {"page", page}}};
 }

@@ -55,7 +55,9 @@ std::string shaders_script() {
   const Json shaders = {{"semantics", kSemantics},
                         {"vertex", reference_vertex_shader(language)},
                         {"reference", reference_fragment_shader(language)},
-                        {"viewer", viewer_fragment_shader(language)}};
+                        {"viewer", viewer_fragment_shader(language)},
+                        {"stack_reference", stack_fragment_shader(language)},
+                        {"stack_viewer", stack_viewer_fragment_shader(language)}};
   return "texbake.shaders = " + shaders.dump() + ";\n";
 }
 
@@ -78,6 +80,24 @@ void check_folder(const fs::path& folder) {
   }
 }
 
+bool is_half(float value) { return half_exact(value) == value; }
+bool may_be_half(float value) { return std::abs(value) <= kMaxHalf; }
+
+void write_folder(const std::string& texture_script, const fs::path& folder) {
+  check_folder(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Error(ErrorKind::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+  const auto write = [&](std::string_view name, std::string_view text) {
+    SafeFile file(folder / name);
+    file.write(text);
+    file.commit();
+  };
+  write("texture.js", texture_script);
+  write("shaders.js", shaders_script());
+  for (const auto& [name, text] : kViewerFiles) write(name, text);
+}
+
 }  // namespace
 
 std::string web_texture_script(const EvaluatorPlanes& planes) {
@@ -89,7 +109,6 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
   json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
   json["centers"] = plane_json<glsl::ivec4>("RGBA32I", planes.centers);
-  const auto is_half = [](float value) { return half_exact(value) == value; };
   json["base"] = values_json(planes.base.texels, is_half);
   json["masks"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.masks);
   json["noise_tiles"] = values_json(planes.noise_tiles, is_half);
@@ -97,24 +116,44 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
   json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
   json["level_weights"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.level_weights);
-  json["base_levels"] = values_json(planes.base.level_values, [](float value) { return std::abs(value) <= kMaxHalf; });
+  json["base_levels"] = values_json(planes.base.level_values, may_be_half);
   if (!planes.fragment_idx.empty()) json["fragments"] = plane_json<uint32_t>("R32UI", planes.fragment_idx);
   return "texbake.open(" + texture.dump() + ");\n";
 }
 
-void export_web(const EvaluatorPlanes& planes, const fs::path& folder) {
-  check_folder(folder);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error(ErrorKind::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-  const auto write = [&](std::string_view name, std::string_view text) {
-    SafeFile file(folder / name);
-    file.write(text);
-    file.commit();
-  };
-  write("texture.js", web_texture_script(planes));
-  write("shaders.js", shaders_script());
-  for (const auto& [name, text] : kViewerFiles) write(name, text);
+std::string web_texture_script(const StackPlanes& planes) {
+  Json texture = {{"semantics", kSemantics}, {"scales", Json::array()}};
+  for (int s = 0; s < planes.scale_count(); ++s) {
+    const V2i size = planes.sizes[static_cast<size_t>(s)];
+    const ScaleTransfer& transfer = planes.transfers[static_cast<size_t>(s)];
+    texture["scales"].push_back({{"size", {size.x, size.y}},
+                                 {"ratio", transfer.ratio},
+                                 {"variation_fade", transfer.variation_fade},
+                                 {"level_count", planes.level_count(s)}});
+  }
+  Json& json = texture["planes"];
+  json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
+  json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
+  json["centers"] = plane_json<glsl::ivec4>("RGBA32I", planes.centers);
+  json["base"] = values_json(planes.base, is_half);
+  json["fragment_plane"] = plane_json<glsl::FragmentTexel>("RGBA16I", planes.fragment_plane);
+  json["local_mean"] = plane_json<glsl::vec4>("RGBA32F", planes.local_mean);
+  json["scale_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.scale_table);
+  json["class_table"] = plane_json<glsl::vec4>("RGBA32F", planes.class_table);
+  json["mean_table"] = plane_json<glsl::vec4>("RGBA32F", planes.mean_table);
+  json["level_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.level_table);
+  json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
+  json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
+  json["base_levels"] = values_json(planes.base_levels, may_be_half);
+  json["fragment_ranges"] = plane_json<glsl::FragmentRange>("RG32UI", planes.fragment_ranges);
+  json["fragment_shares"] = plane_json<glsl::ivec4>("RGBA32I", planes.fragment_shares);
+  return "texbake.open(" + texture.dump() + ");\n";
 }
+
+void export_web(const EvaluatorPlanes& planes, const fs::path& folder) {
+  write_folder(web_texture_script(planes), folder);
+}
+
+void export_web(const StackPlanes& planes, const fs::path& folder) { write_folder(web_texture_script(planes), folder); }
 
 }  // namespace texbake

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "libbake/eval/prepare.h"
+#include "libbake/eval/stack_planes.h"
 
 namespace texbake {
 
@@ -15,14 +16,19 @@ namespace texbake {
 /// with the planes and formats of shaders/README.md §2, little-endian, rows from the top; `fragments` (R32UI, the idx
 /// of each texel) where there are any; `base` is RGBA16F where that is exact, else RGBA32F; `base_levels` is rounded
 /// to RGBA16F, once. The levels of the base were added.
-inline constexpr const char* kWebFiles[] = {"index.html", "infinite_texture.js", "viewer.js", "shaders.js",
-                                            "texture.js"};
+/// A stack has, in place of what stands before the planes,
+///   "scales": [{"size": [W, H], "ratio": r, "variation_fade": f, "level_count": L}, …], coarse to fine,
+/// and the planes of "Several scales".
+inline constexpr const char* kWebFiles[] = {"index.html", "infinite_texture.js", "infinite_stack.js",
+                                            "viewer.js",  "shaders.js",          "texture.js"};
 
 /// Makes `folder`, or replaces those files in one that an earlier export made. Throws Error(io) when the folder holds
 /// other things, or cannot be written; then nothing of an earlier export is lost.
 void export_web(const EvaluatorPlanes& planes, const std::filesystem::path& folder);
+void export_web(const StackPlanes& planes, const std::filesystem::path& folder);
 
 /// texture.js alone.
 std::string web_texture_script(const EvaluatorPlanes& planes);
+std::string web_texture_script(const StackPlanes& planes);
 
 }  // namespace texbake

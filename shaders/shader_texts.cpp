@@ -57,7 +57,11 @@ std::string perspective_fragment_shader(ShaderLanguage language) {
 }
 
 std::string viewer_fragment_shader(ShaderLanguage language) {
-  return reference_core(language) + concatenated({"viewer.frag"});
+  return reference_core(language) + concatenated({"screen.glsl", "viewer.frag"});
+}
+
+std::string stack_viewer_fragment_shader(ShaderLanguage language) {
+  return stack_core(language) + concatenated({"screen.glsl", "stack_viewer.frag"});
 }
 
 }  // namespace texbake

@@ -3,15 +3,17 @@
 'use strict';
 
 class InfiniteTexture {
-  // `gl`: a WebGL2RenderingContext. `texture`: the object in texture.js. `shaders`: the texts in shaders.js.
-  constructor(gl, texture, shaders) {
+  // `gl`: a WebGL2RenderingContext. `texture`: the object in texture.js. `shaders`: the texts in shaders.js. `viewer` and
+  // `reference` name those that are drawn with.
+  constructor(gl, texture, shaders, viewer = 'viewer', reference = 'reference') {
     if (texture.semantics !== shaders.semantics)
       throw new Error(`expected semantics ${shaders.semantics}, found ${texture.semantics}: export the bundle again`);
     this.gl = gl;
     this.texture = texture;
     this.size = texture.size;
-    this.viewer = this.link(shaders.vertex, shaders.viewer);
-    this.reference = this.link(shaders.vertex, shaders.reference);
+    this.farthest_step_256 = 256 * 64;
+    this.viewer = this.link(shaders.vertex, shaders[viewer]);
+    this.reference = this.link(shaders.vertex, shaders[reference]);
     this.planes = {};
     for (const [name, plane] of Object.entries(texture.planes)) this.planes[name] = this.upload(plane);
     gl.bindVertexArray(gl.createVertexArray());
@@ -84,8 +86,8 @@ class InfiniteTexture {
     };
   }
 
-  // Binds a program, the planes and what every window has; returns how its other uniforms are found.
-  use(program, origin, seed) {
+  // Binds a program and the planes; returns how its uniforms are found.
+  bind(program) {
     const gl = this.gl;
     const uniform = (name) => gl.getUniformLocation(program, name);
     gl.useProgram(program);
@@ -94,6 +96,13 @@ class InfiniteTexture {
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.uniform1i(uniform(name), unit);
     });
+    return uniform;
+  }
+
+  // The same with what every window has.
+  use(program, origin, seed) {
+    const gl = this.gl;
+    const uniform = this.bind(program);
     const [x, y] = [splitCoordinate(origin.x, this.size[0]), splitCoordinate(origin.y, this.size[1])];
     gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
     gl.uniform1ui(uniform('content_count'), this.texture.content_count);
@@ -128,6 +137,7 @@ class InfiniteTexture {
       RGBA16UI: [gl.RGBA_INTEGER, gl.UNSIGNED_SHORT, Uint16Array],
       RG32UI: [gl.RG_INTEGER, gl.UNSIGNED_INT, Uint32Array],
       R32UI: [gl.RED_INTEGER, gl.UNSIGNED_INT, Uint32Array],
+      RGBA16I: [gl.RGBA_INTEGER, gl.SHORT, Int16Array],
       RGBA32I: [gl.RGBA_INTEGER, gl.INT, Int32Array],
       RGBA16F: [gl.RGBA, gl.HALF_FLOAT, Uint16Array],
       RGBA32F: [gl.RGBA, gl.FLOAT, Float32Array],

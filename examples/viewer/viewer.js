@@ -13,14 +13,14 @@ const texbake = {
       const gl = canvas.getContext('webgl2', {antialias: false, preserveDrawingBuffer: true});
       if (!gl) throw new Error('expected a browser with WebGL 2');
       this.canvas = canvas;
-      this.texture = new InfiniteTexture(gl, texture, this.shaders);
+      this.texture = new (texture.scales ? InfiniteStack : InfiniteTexture)(gl, texture, this.shaders);
     } catch (error) {
       const failure = document.getElementById('failure');
       failure.textContent = `This page cannot show the texture: ${error.message}`;
       failure.style.display = 'grid';
       return;
     }
-    if (!texture.planes.fragments) document.querySelector('#show option[value="2"]').remove();
+    if (!texture.planes.fragments && !texture.planes.fragment_plane) document.querySelector('#show option[value="2"]').remove();
     this.listen();
     this.resize();
   },
@@ -60,7 +60,7 @@ const texbake = {
   // Zooms by `factor` (above 1: farther away) about a point of the page, which keeps its place.
   zoom(factor, x_px, y_px) {
     const before = this.view.step_256;
-    let after = Math.min(256 * 64, Math.max(4, Math.round(before * factor)));
+    let after = Math.min(this.texture.farthest_step_256, Math.max(4, Math.round(before * factor)));
     if (after === before) after += factor > 1 ? 1 : -1;
     // Several samples to a pixel need a step that they divide.
     const samples = Math.max(1, Math.min(8, Math.floor(after / 256)));

@@ -1,7 +1,7 @@
 // Reads the golden evaluation vectors of a stack of scales, as README.md beside this file specifies them.
 #pragma once
 
-#include "libbake/eval/stack_planes.h"
+#include "libbake/eval/stack_levels.h"
 #include "libbake/eval/stack_window.h"
 #include "tests/golden/golden.h"
 #include "tests/libbake/eval/small_stack.h"
@@ -65,6 +65,7 @@ inline GoldenStack read_golden_stack() {
   GoldenStack golden;
   golden.semantics = json.at("semantics");
   golden.planes = stack.planes();
+  add_levels(golden.planes, stack.scales());
   for (const auto& point : json.at("points"))
     golden.points.push_back({golden_point(point), point.at("fading"), golden_color(point.at("faded"))});
   return golden;

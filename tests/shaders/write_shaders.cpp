@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
     done = write(std::string(name) + ".frag", texbake::reference_fragment_shader(language)) && done;
     done = write(std::string(name) + "_perspective.frag", texbake::perspective_fragment_shader(language)) && done;
     done = write(std::string(name) + "_viewer.frag", texbake::viewer_fragment_shader(language)) && done;
+    done = write(std::string(name) + "_stack.frag", texbake::stack_fragment_shader(language)) && done;
+    done = write(std::string(name) + "_stack_viewer.frag", texbake::stack_viewer_fragment_shader(language)) && done;
   }
   return done ? 0 : 4;
 }

@@ -12,8 +12,8 @@ const [executablePath, goldenFolder, pagesFolder] = process.argv.slice(2);
 const kSwitches = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-first-run',
                    '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
-async function open(browser, tile) {
-  const page = await browser.newPage({viewport: {width: 640, height: 480}});
+async function open(browser, tile, width = 640, height = 480) {
+  const page = await browser.newPage({viewport: {width, height}});
   const problems = [];
   page.on('pageerror', (error) => problems.push(String(error)));
   page.on('request', (request) => {
@@ -46,8 +46,8 @@ async function checkGolden(browser, tile) {
     assert.strictEqual(found[i].patch, point.patch, where);
     assert.strictEqual(found[i].content, point.content, where);
     assert.deepStrictEqual(found[i].source, point.source, where);
-    for (const filter of ['nearest', 'bilinear'])
-      point[filter].forEach((expected, c) => {
+    for (const filter of ['nearest', 'bilinear', 'faded'])
+      (point[filter] || []).forEach((expected, c) => {
         const difference = Math.abs(found[i][filter][c] - Math.fround(expected));
         // ES 3.00 has no `precise`: a driver may fuse. A point's eight lerps may each be off by a unit of values up to 1.
         assert.ok(difference <= 8 * 2 ** -24, `${where}: ${filter} differs by ${difference}`);
@@ -103,11 +103,30 @@ async function checkHandling(browser) {
   await page.close();
 }
 
+// Near the finest scale shows alone, at the ratio the coarser one; both are drawn.
+async function checkScales(browser) {
+  const {page, problems} = await open(browser, 'stack', 160, 120);
+  const views = await page.evaluate(() => [256, 1280].map((step) => texbake.texture.viewOf(step)));
+  assert.deepStrictEqual(views.map(({scale, fading, step_256}) => [scale, fading, step_256]), [[1, 0, 256], [0, 0, 256]]);
+  let before = [];
+  for (const step of [64, 600, 1280]) {
+    await page.evaluate((step_256) => { texbake.view.step_256 = step_256; texbake.redraw(); }, step);
+    await settle(page);
+    const now = await pixels(page);
+    assert.ok(new Set(now).size > 16, `step ${step}`);
+    assert.notDeepStrictEqual(now, before);
+    before = now;
+  }
+  assert.deepStrictEqual(problems, []);
+  await page.close();
+}
+
 async function main() {
   const browser = await chromium.launch({executablePath, args: kSwitches});
   try {
-    for (const tile of ['plain', 'moved', 'turned', 'levels']) await checkGolden(browser, tile);
+    for (const tile of ['plain', 'moved', 'turned', 'levels', 'stack']) await checkGolden(browser, tile);
     await checkHandling(browser);
+    await checkScales(browser);
   } finally {
     await browser.close();
   }
