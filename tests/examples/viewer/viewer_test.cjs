@@ -124,7 +124,7 @@ async function checkScales(browser) {
 async function main() {
   const browser = await chromium.launch({executablePath, args: kSwitches});
   try {
-    for (const tile of ['plain', 'moved', 'turned', 'levels', 'stack']) await checkGolden(browser, tile);
+    for (const tile of ['plain', 'moved', 'turned', 'levels', 'noise_levels', 'stack']) await checkGolden(browser, tile);
     await checkHandling(browser);
     await checkScales(browser);
   } finally {
