@@ -88,7 +88,7 @@ void run_patch(Bundle& bundle, const PatchOptions& options, Console& console) {
   const FragmentMap& fragments = required(scale.fragments, "fragments", "fragment");
   RunningStage stage(bundle, "patch", console);
   const PatchOptions resolved = resolve(options, fragments);
-  scale.patches = patch(fragments, resolved, stage.progress());
+  scale.patches = patch(fragments, scale.base(), resolved, stage.progress());
   stage.finish(parameters_of(options, resolved), area_figures(scale.patches->partition));
 }
 

@@ -27,7 +27,7 @@ std::vector<StageScope> make_scopes() {
       {"fragment",
        {"palette", "planes.exemplar", "planes.structure", "planes.index", "planes.variation"},
        {"fragments", "planes.fragment", "planes.fragmentClass", "planes.fragmentColor"}},
-      {"patch", {"fragments", "planes.fragment"}, {"patches", "planes.patch"}},
+      {"patch", {"fragments", "planes.exemplar", "planes.structure", "planes.fragment"}, {"patches", "planes.patch"}},
       {"select-contents",
        {"palette", "patches", "planes.exemplar", "planes.structure", "planes.index", "planes.variation",
         "planes.patch"},

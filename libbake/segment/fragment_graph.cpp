@@ -3,24 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libbake/color/luv.h"
-
 namespace texbake {
 namespace {
 
-/// (from, to) of every edge between texels of two fragments, both ways, sorted.
-std::vector<uint64_t> border_edges(const Image<uint32_t>& idx) {
-  std::vector<uint64_t> edges;
+/// One edge between texels of two fragments, seen from one of them.
+struct Edge {
+  uint64_t from_to;
+  float step;
+};
+
+/// Every edge, both ways, by (from, to), then in row order.
+std::vector<Edge> border_edges(const Image<uint32_t>& idx, ImageView<const V3f> luv) {
+  std::vector<Edge> edges;
   for (int y = 0; y < idx.height(); ++y)
     for (int x = 0; x < idx.width(); ++x)
       for (int n = 0; n < 2; ++n) {
-        const uint64_t a = idx(x, y);
-        const uint64_t b = idx(wrap(x + kNeighbourX[n], idx.width()), wrap(y + kNeighbourY[n], idx.height()));
+        const V2i q(wrap(x + kNeighbourX[n], idx.width()), wrap(y + kNeighbourY[n], idx.height()));
+        const uint64_t a = idx(x, y), b = idx(q.x, q.y);
         if (a == b) continue;
-        edges.push_back(a << 32 | b);
-        edges.push_back(b << 32 | a);
+        const V3f d = luv(x, y) - luv(q.x, q.y);
+        const float step = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+        edges.push_back({a << 32 | b, step});
+        edges.push_back({b << 32 | a, step});
       }
-  std::sort(edges.begin(), edges.end());
+  std::stable_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.from_to < b.from_to; });
   return edges;
 }
 
@@ -42,20 +48,19 @@ std::vector<TorusBox> boxes_of(const Partition& partition) {
 
 }  // namespace
 
-FragmentGraph fragment_graph(const FragmentMap& map) {
+FragmentGraph fragment_graph(const FragmentMap& map, ImageView<const V3f> luv) {
   FragmentGraph graph;
   graph.boxes = boxes_of(map.partition);
-  std::vector<V3f> luv;
-  for (const Fragment& fragment : map.fragments) luv.push_back(luv_from_linear(fragment.mean_color));
-
-  const std::vector<uint64_t> edges = border_edges(map.partition.idx);
+  const std::vector<Edge> edges = border_edges(map.partition.idx, luv);
   graph.first.assign(graph.boxes.size() + 1, 0);
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end] == edges[begin]) ++end;
-    const size_t from = edges[begin] >> 32, to = edges[begin] & 0xffffffffu;
-    const V3f d = luv[from] - luv[to];
-    graph.links.push_back(
-        {static_cast<uint32_t>(to), static_cast<uint32_t>(end - begin), std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)});
+    double sum = 0;
+    for (; end < edges.size() && edges[end].from_to == edges[begin].from_to; ++end)
+      sum += static_cast<double>(edges[end].step);
+    const size_t from = edges[begin].from_to >> 32, to = edges[begin].from_to & 0xffffffffu;
+    const size_t length = end - begin;
+    graph.links.push_back({static_cast<uint32_t>(to), static_cast<uint32_t>(length),
+                           static_cast<float>(sum / static_cast<double>(length))});
     graph.first[from + 1] = graph.links.size();
   }
   for (size_t f = 1; f < graph.first.size(); ++f) graph.first[f] = std::max(graph.first[f], graph.first[f - 1]);

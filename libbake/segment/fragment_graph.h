@@ -1,4 +1,4 @@
-// Which fragments touch, along how many texel edges, and how much their colours differ.
+// Which fragments touch, along how many texel edges, and how much the picture steps there.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace texbake {
 struct FragmentLink {
   uint32_t other = 0;      ///< the fragment beyond the border
   uint32_t length_px = 0;  ///< edges between texels that the two share
-  float delta_e = 0;       ///< between their mean colours, in CIELUV
+  float delta_e = 0;       ///< mean step of the picture across these edges, in CIELUV
 };
 
 struct FragmentGraph {
@@ -26,6 +26,8 @@ struct FragmentGraph {
   }
 };
 
-FragmentGraph fragment_graph(const FragmentMap& map);
+/// `luv` is the picture that was fragmented, in CIELUV. Its steps are what hides a seam; mean colours of fragments may
+/// differ where the picture does not step.
+FragmentGraph fragment_graph(const FragmentMap& map, ImageView<const V3f> luv);
 
 }  // namespace texbake

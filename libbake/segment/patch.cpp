@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "libbake/base/error.h"
+#include "libbake/color/luv.h"
 #include "libbake/segment/cluster.h"
 
 namespace texbake {
@@ -74,10 +75,11 @@ PatchOptions resolve(const PatchOptions& options, const FragmentMap& fragments) 
   return resolved;
 }
 
-PatchMap patch(const FragmentMap& fragments, const PatchOptions& options, const Progress& progress) {
+PatchMap patch(const FragmentMap& fragments, ImageView<const V3f> base, const PatchOptions& options,
+               const Progress& progress) {
   const PatchOptions resolved = resolve(options, fragments);
   check_count(*resolved.count, fragments);
-  const FragmentGraph graph = fragment_graph(fragments);
+  const FragmentGraph graph = fragment_graph(fragments, luv_from_linear(base));
   report(progress, 0.3);
   Clusters clusters = clusters_of(fragments, graph, *resolved.count, resolved.seed);
   report(progress, 0.6);

@@ -29,13 +29,15 @@ struct PatchMap {
 /// 16 patches, fewer where there are less than four fragments for each, but not below nine, nor above one for each.
 PatchOptions resolve(const PatchOptions& options, const FragmentMap& fragments);
 
-/// Packs circles on the torus, the first over the corner of the tile, and clusters the fragments that lie in them, so
-/// that patches are connected, of similar area and under half the tile on each axis; then moves single fragments across
-/// their borders, towards equal areas and high contrast. Patches are numbered by their first texel in row order. There
-/// are more than asked for where no packing of several tried keeps so few under half the tile: few patches, large
-/// fragments, or a very long tile. Throws Error(infeasible) when there are fewer fragments than patches, and for fewer
-/// than five patches, which cannot all be under half the tile.
-PatchMap patch(const FragmentMap& fragments, const PatchOptions& options = {}, const Progress& progress = {});
+/// `base` is the picture that was fragmented, linear Rec.709. Packs circles on the torus, the first over the corner of
+/// the tile, and clusters the fragments that lie in them, so that patches are connected, of similar area and under half
+/// the tile on each axis; then moves single fragments across their borders, towards equal areas and to where the
+/// picture steps. Patches are numbered by their first texel in row order. There are more than asked for where no
+/// packing of several tried keeps so few under half the tile: few patches, large fragments, or a very long tile. Throws
+/// Error(infeasible) when there are fewer fragments than patches, and for fewer than five patches, which cannot all be
+/// under half the tile.
+PatchMap patch(const FragmentMap& fragments, ImageView<const V3f> base, const PatchOptions& options = {},
+               const Progress& progress = {});
 
 /// How even the patches are, and how many hide the borders of the tile.
 struct PatchQuality {
@@ -44,9 +46,9 @@ struct PatchQuality {
   uint32_t max_area_px = 0;
   int across_border = 0;          ///< patches with texels on both sides of a border of the tile
   bool is_across_corner = false;  ///< one patch holds all four texels around the corner
-  double border_delta_e = 0;      ///< mean over the borders of patches, between the fragments on their two sides
+  double border_delta_e = 0;      ///< mean step of the picture across the borders of patches
   double fragment_delta_e = 0;    ///< the same over all borders of fragments: what chance would give
 };
-PatchQuality patch_quality(const PatchMap& patches, const FragmentMap& fragments);
+PatchQuality patch_quality(const PatchMap& patches, const FragmentMap& fragments, ImageView<const V3f> base);
 
 }  // namespace texbake

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libbake/color/luv.h"
 #include "libbake/segment/fragment_graph.h"
 #include "libbake/segment/patch.h"
 
@@ -16,8 +17,9 @@ std::vector<uint32_t> patch_of_fragments(const PatchMap& patches, const Fragment
   return patch_of;
 }
 
-void measure_borders(const PatchMap& patches, const FragmentMap& fragments, PatchQuality& quality) {
-  const FragmentGraph graph = fragment_graph(fragments);
+void measure_borders(const PatchMap& patches, const FragmentMap& fragments, ImageView<const V3f> base,
+                     PatchQuality& quality) {
+  const FragmentGraph graph = fragment_graph(fragments, luv_from_linear(base));
   const std::vector<uint32_t> patch_of = patch_of_fragments(patches, fragments);
   double patch_sum = 0, patch_length = 0, sum = 0, length = 0;
   for (uint32_t f = 0; f < graph.count(); ++f)
@@ -35,7 +37,7 @@ void measure_borders(const PatchMap& patches, const FragmentMap& fragments, Patc
 
 }  // namespace
 
-PatchQuality patch_quality(const PatchMap& patches, const FragmentMap& fragments) {
+PatchQuality patch_quality(const PatchMap& patches, const FragmentMap& fragments, ImageView<const V3f> base) {
   const Partition& partition = patches.partition;
   PatchQuality quality;
   const auto [least, most] = std::minmax_element(partition.areas_px.begin(), partition.areas_px.end());
@@ -54,7 +56,7 @@ PatchQuality patch_quality(const PatchMap& patches, const FragmentMap& fragments
   const Image<uint32_t>& idx = partition.idx;
   quality.is_across_corner =
       idx(0, 0) == idx(right, 0) && idx(0, 0) == idx(0, bottom) && idx(0, 0) == idx(right, bottom);
-  measure_borders(patches, fragments, quality);
+  measure_borders(patches, fragments, base, quality);
   return quality;
 }
 

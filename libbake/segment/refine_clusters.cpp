@@ -8,7 +8,7 @@
 namespace texbake {
 namespace {
 
-/// Mean colour difference of touching fragments, weighted by the length of their border.
+/// Mean step across the borders of fragments.
 double mean_delta_e(const FragmentGraph& graph) {
   double sum = 0, length = 0;
   for (const FragmentLink& link : graph.links) {

@@ -52,7 +52,7 @@ BENCHMARK(fragment_bench)->Name("fragment")->Arg(512)->Arg(1024)->Arg(4096)->Uni
 void patch_bench(benchmark::State& state) {
   const Picture given = picture(static_cast<int>(state.range(0)));
   const FragmentMap fragments = fragment(given.colors, given.base);
-  for (auto _ : state) benchmark::DoNotOptimize(patch(fragments));
+  for (auto _ : state) benchmark::DoNotOptimize(patch(fragments, given.base));
 }
 BENCHMARK(patch_bench)->Name("patch")->Arg(512)->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond);
 

@@ -20,7 +20,7 @@ Case case_of(uint32_t seed, V2i size = V2i(128, 96), int count = 14) {
   Case given;
   const auto tile = random_tile(size.x, size.y, 3, seed);
   given.map = fragment(tile, decode(tile), {.seed = seed});
-  given.graph = fragment_graph(given.map);
+  given.graph = fragment_graph(given.map, luv_of(tile));
   given.packing = pack_circles(size, count, seed);
   return given;
 }

@@ -14,9 +14,16 @@
 namespace texbake {
 namespace {
 
-FragmentMap fragments_of(V2i size, uint32_t seed = 1, const FragmentOptions& options = {}) {
+struct Given {
+  Image<V3f> base;
+  FragmentMap fragments;
+};
+
+Given fragments_of(V2i size, uint32_t seed = 1) {
   const auto tile = random_tile(size.x, size.y, 4, seed);
-  return fragment(tile, decode(tile), options);
+  Given given{decode(tile), {}};
+  given.fragments = fragment(tile, given.base);
+  return given;
 }
 
 void expect_unions_of_fragments(const PatchMap& patches, const FragmentMap& fragments) {
@@ -29,9 +36,9 @@ void expect_unions_of_fragments(const PatchMap& patches, const FragmentMap& frag
 }
 
 TEST(Patch, IsAPartitionIntoConnectedUnionsOfWholeFragments) {
-  const auto fragments = fragments_of(V2i(192, 160));
+  const auto [base, fragments] = fragments_of(V2i(192, 160));
   for (uint32_t seed = 1; seed <= 10; ++seed) {
-    const auto patches = patch(fragments, {.count = {}, .seed = seed});
+    const auto patches = patch(fragments, base, {.count = {}, .seed = seed});
     EXPECT_EQ(patches.partition.count(), 16);
     expect_whole(patches.partition);
     expect_unions_of_fragments(patches, fragments);
@@ -40,16 +47,16 @@ TEST(Patch, IsAPartitionIntoConnectedUnionsOfWholeFragments) {
 
 TEST(Patch, AreasAreSimilar) {
   for (uint32_t seed = 1; seed <= 10; ++seed) {
-    const auto fragments = fragments_of(V2i(192, 192), seed);
-    const auto quality = patch_quality(patch(fragments, {.count = {}, .seed = seed}), fragments);
+    const auto [base, fragments] = fragments_of(V2i(192, 192), seed);
+    const auto quality = patch_quality(patch(fragments, base, {.count = {}, .seed = seed}), fragments, base);
     EXPECT_LE(quality.area_variation, 0.25) << "seed " << seed;
   }
 }
 
 TEST(Patch, OneLiesAcrossTheCornerAndSomeAcrossEachBorder) {
   for (uint32_t seed = 1; seed <= 10; ++seed) {
-    const auto fragments = fragments_of(V2i(160, 160), seed);
-    const auto quality = patch_quality(patch(fragments, {.count = {}, .seed = seed}), fragments);
+    const auto [base, fragments] = fragments_of(V2i(160, 160), seed);
+    const auto quality = patch_quality(patch(fragments, base, {.count = {}, .seed = seed}), fragments, base);
     EXPECT_TRUE(quality.is_across_corner);
     EXPECT_GE(quality.across_border, 3);
   }
@@ -58,25 +65,25 @@ TEST(Patch, OneLiesAcrossTheCornerAndSomeAcrossEachBorder) {
 TEST(Patch, LongAndSmallTilesAreWholeToo) {
   for (const V2i& size : {V2i(256, 128), V2i(128, 256), V2i(256, 64), V2i(64, 256), V2i(256, 32), V2i(32, 32)})
     for (uint32_t seed = 1; seed <= 4; ++seed) {
-      const auto fragments = fragments_of(size, seed);
-      const auto patches = patch(fragments, {.count = {}, .seed = seed});
+      const auto [base, fragments] = fragments_of(size, seed);
+      const auto patches = patch(fragments, base, {.count = {}, .seed = seed});
       expect_whole(patches.partition);
       expect_unions_of_fragments(patches, fragments);
     }
 }
 
 TEST(Patch, AnyCountFromNineUpIsReached) {
-  const auto fragments = fragments_of(V2i(160, 128), 3);
+  const auto [base, fragments] = fragments_of(V2i(160, 128), 3);
   for (const int count : {9, 10, 13, 20, 40, 100}) {
-    const auto patches = patch(fragments, {.count = count});
+    const auto patches = patch(fragments, base, {.count = count});
     EXPECT_EQ(patches.partition.count(), count);
     expect_whole(patches.partition);
   }
 }
 
 TEST(Patch, AsManyPatchesAsFragmentsAreTheFragments) {
-  const auto fragments = fragments_of(V2i(48, 48), 2);
-  const auto patches = patch(fragments, {.count = fragments.partition.count()});
+  const auto [base, fragments] = fragments_of(V2i(48, 48), 2);
+  const auto patches = patch(fragments, base, {.count = fragments.partition.count()});
   EXPECT_EQ(patches.partition.idx, fragments.partition.idx);
 }
 
@@ -87,7 +94,8 @@ TEST(Patch, FewFragmentsGiveFewPatches) {
     for (int x = 0; x < 20; ++x) idx(x, y) = static_cast<uint32_t>(y / 4 * 5 + x / 4);
   FragmentMap fragments{unwrap(std::move(idx)), std::vector<Fragment>(25)};
   EXPECT_EQ(*resolve(PatchOptions{}, fragments).count, 9);
-  const auto patches = patch(fragments);
+  const Image<V3f> base(20, 20);
+  const auto patches = patch(fragments, base);
   EXPECT_EQ(patches.partition.count(), 9);
   expect_whole(patches.partition);
 }
@@ -95,32 +103,32 @@ TEST(Patch, FewFragmentsGiveFewPatches) {
 TEST(Patch, BordersFollowTheContrastOfFragments) {
   double ratio = 0;
   for (uint32_t seed = 1; seed <= 5; ++seed) {
-    const auto fragments = fragments_of(V2i(192, 192), seed);
-    const auto quality = patch_quality(patch(fragments, {.count = {}, .seed = seed}), fragments);
+    const auto [base, fragments] = fragments_of(V2i(192, 192), seed);
+    const auto quality = patch_quality(patch(fragments, base, {.count = {}, .seed = seed}), fragments, base);
     ratio += quality.border_delta_e / quality.fragment_delta_e / 5;
   }
   EXPECT_GT(ratio, 1.1);  // 1: borders of fragments chosen by chance
 }
 
 TEST(Patch, IsTheSameEachTimeAndForAnyThreads) {
-  const auto fragments = fragments_of(V2i(128, 128));
-  const auto many = patch(fragments);
+  const auto [base, fragments] = fragments_of(V2i(128, 128));
+  const auto many = patch(fragments, base);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const auto one = patch(fragments);
+  const auto one = patch(fragments, base);
   EXPECT_EQ(many.partition.idx, one.partition.idx);
   EXPECT_EQ(many.partition.owner, one.partition.owner);
   EXPECT_EQ(many.partition.centers, one.partition.centers);
 }
 
 TEST(Patch, SeedsChangeTheMap) {
-  const auto fragments = fragments_of(V2i(128, 128));
-  EXPECT_NE(patch(fragments, {.count = {}, .seed = 1}).partition.idx,
-            patch(fragments, {.count = {}, .seed = 2}).partition.idx);
+  const auto [base, fragments] = fragments_of(V2i(128, 128));
+  EXPECT_NE(patch(fragments, base, {.count = {}, .seed = 1}).partition.idx,
+            patch(fragments, base, {.count = {}, .seed = 2}).partition.idx);
 }
 
-std::string infeasible(const FragmentMap& fragments, int count) {
+std::string infeasible(const Given& given, int count) {
   try {
-    patch(fragments, {.count = count});
+    patch(given.fragments, given.base, {.count = count});
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::infeasible);
     return error.what();
@@ -129,9 +137,9 @@ std::string infeasible(const FragmentMap& fragments, int count) {
 }
 
 TEST(Patch, MorePatchesThanFragmentsAreInfeasible) {
-  const auto fragments = fragments_of(V2i(48, 48), 2);
-  const int available = fragments.partition.count();
-  EXPECT_THAT(infeasible(fragments, available + 1), testing::HasSubstr("found " + std::to_string(available)));
+  const auto given = fragments_of(V2i(48, 48), 2);
+  const int available = given.fragments.partition.count();
+  EXPECT_THAT(infeasible(given, available + 1), testing::HasSubstr("found " + std::to_string(available)));
 }
 
 TEST(Patch, FewerThanFiveAreInfeasibleOnAnyTile) {
@@ -140,8 +148,8 @@ TEST(Patch, FewerThanFiveAreInfeasibleOnAnyTile) {
 
 TEST(Patch, WhereSoFewCannotBeUnderHalfTheTileThereAreMore) {
   // Five patches of a fifth of the tile each are just possible in the plane, hardly with whole fragments.
-  const auto fragments = fragments_of(V2i(128, 128));
-  const auto patches = patch(fragments, {.count = 5});
+  const auto [base, fragments] = fragments_of(V2i(128, 128));
+  const auto patches = patch(fragments, base, {.count = 5});
   EXPECT_GE(patches.partition.count(), 5);
   EXPECT_LE(patches.partition.count(), 16);
   expect_whole(patches.partition);
@@ -160,12 +168,12 @@ TEST(PatchQuality, SaysWhatIsDrawn) {
                                 "ccddeeffc "
                                 "ccddeeffc"))};
   FragmentMap fragments{unwrap(patches.partition.idx.clone()), std::vector<Fragment>(16)};
-  const auto quality = patch_quality(patches, fragments);
+  const auto quality = patch_quality(patches, fragments, Image<V3f>(9, 9));
   EXPECT_EQ(quality.min_area_px, 4u);
   EXPECT_EQ(quality.max_area_px, 9u);
   EXPECT_EQ(quality.across_border, 4) << "0, 4, 8 and c";
   EXPECT_FALSE(quality.is_across_corner) << "the lower corners belong to c";
-  EXPECT_EQ(quality.border_delta_e, 0) << "all fragments are black";
+  EXPECT_EQ(quality.border_delta_e, 0) << "the picture is black";
 }
 
 }  // namespace
