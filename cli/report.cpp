@@ -140,6 +140,9 @@ std::string text_of(const Report& report, const Request& request) {
                         measured_text(report.of(Method::bundle)[judgement.measure]), kind.unit.empty() ? "" : " ",
                         kind.unit, good_text(judgement.limits));
   }
+  for (const MapReport& map : report.maps)
+    text += fmt::format("{:<12} {:<24} {:.2f}, {:.2f} (good: {})\n", enum_name(map.verdict), "Wrap of map " + map.name,
+                        map.tile_x, map.tile_y, good_text(*limits_of(Measure::tile_x, 1)));
   if (!report.is_suitable())
     text +=
         fmt::format("unsuitable, because {}\nwhat helps: {}\n", report.suitability.because, report.suitability.helps);

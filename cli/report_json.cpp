@@ -47,8 +47,15 @@ Json report_json(const Report& report, const std::string& bundle, const std::str
   json["tile"] = {report.tile_px.x, report.tile_px.y};
   json["patches"] = report.patch_count;
   json["contents"] = report.content_count;
-  json["measured"] = {
-      {"reduction", report.reduction}, {"seeds", report.options.seeds}, {"tiles", report.options.tiles}};
+  json["measured"] = {{"reduction", report.reduction},
+                      {"seamReduction", report.seam_reduction},
+                      {"seeds", report.options.seeds},
+                      {"tiles", report.options.tiles}};
+  Json maps = Json::array();
+  for (const MapReport& map : report.maps)
+    maps.push_back(
+        {{"name", map.name}, {"tileX", map.tile_x}, {"tileY", map.tile_y}, {"verdict", enum_name(map.verdict)}});
+  json["maps"] = maps;
   Json measures = Json::array();
   for (const MeasureKind& kind : measure_kinds())
     if (is_known(report.of(Method::bundle)[kind.measure])) measures.push_back(measure_json(report, kind));

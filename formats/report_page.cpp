@@ -157,6 +157,16 @@ std::string table_row(const Report& report, const MeasureKind& kind) {
   return html + "</tr>\n";
 }
 
+/// The wrap of a map: the rows of the colour's, with what the other methods do not change left out.
+std::string map_row(const MapReport& map) {
+  return fmt::format(
+      "<tr><th scope=\"row\">Wrap of the map {}<small>Left to right, and top to bottom.</small></th>"
+      "<td data-label=\"This\"><span>{}, {}{}</span></td><td data-label=\"Good\">{}</td>"
+      "<td class=\"none\"></td><td class=\"none\"></td><td class=\"none\"></td><td class=\"none\"></td></tr>\n",
+      escaped(map.name), number_text(map.tile_x), number_text(map.tile_y),
+      pill(enum_name(map.verdict), words(map.verdict)), good_text(*limits_of(Measure::tile_x, 1)));
+}
+
 bool is_present(const Report& report, const MeasureKind& kind) {
   const Measured& measured = report.of(Method::bundle)[kind.measure];
   return measured.value || !measured.undefined_because.empty();
@@ -177,6 +187,8 @@ std::string table(const Report& report) {
     html += fmt::format("<tr class=\"group\"><th colspan=\"7\">{}</th></tr>\n", group);
     for (const MeasureKind& kind : measure_kinds())
       if (kind.group == group && is_present(report, kind)) html += table_row(report, kind);
+    if (group == kind_of(Measure::tile_y).group)
+      for (const MapReport& map : report.maps) html += map_row(map);
   }
   return html + "</tbody></table>\n";
 }
@@ -185,8 +197,8 @@ std::string how_measured(const Report& report) {
   std::string text = fmt::format("Measured on {} rendering{} of {} × {} tiles", report.options.seeds,
                                  report.options.seeds == 1 ? "" : "s", report.options.tiles, report.options.tiles);
   if (report.reduction > 1)
-    text += fmt::format(", at 1/{} of the tile's size: sharpness and seams are rougher than at full size",
-                        report.reduction);
+    text += fmt::format(", at 1/{} of the tile's size, where sharpness is rougher", report.reduction);
+  text += report.seam_reduction > 1 ? fmt::format(", seams at 1/{}", report.seam_reduction) : ", seams at full size";
   return text + ".";
 }
 
@@ -223,6 +235,10 @@ std::string verdict_sentence(const Report& report) {
     if (judgement.verdict == Verdict::fail) add(bad, label);
     if (judgement.verdict == Verdict::warn) add(doubtful, label);
     if (judgement.verdict == Verdict::undefined) add(missing, label);
+  }
+  for (const MapReport& map : report.maps) {
+    if (map.verdict == Verdict::fail) add(bad, "wrap of " + map.name);
+    if (map.verdict == Verdict::warn) add(doubtful, "wrap of " + map.name);
   }
   if (bad.empty() && doubtful.empty() && missing.empty()) return "Every measure is good.";
   std::string text;

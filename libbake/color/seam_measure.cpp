@@ -109,4 +109,6 @@ SeamMeasure measure_seam(ImageView<const V3f> linear) {
 
 SeamMeasure measure_seam(ImageView<const float> values) { return measure<float>(values); }
 
+SeamMeasure measure_vector_seam(ImageView<const V3f> values) { return measure<V3f>(values); }
+
 }  // namespace texbake

@@ -34,5 +34,7 @@ struct SeamMeasure {
 SeamMeasure measure_seam(ImageView<const V3f> linear);
 /// One channel of data, compared by absolute difference.
 SeamMeasure measure_seam(ImageView<const float> values);
+/// Three channels of data, such as normals, compared by Euclidean distance.
+SeamMeasure measure_vector_seam(ImageView<const V3f> values);
 
 }  // namespace texbake

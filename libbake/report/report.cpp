@@ -5,16 +5,14 @@
 #include "libbake/color/luv.h"
 #include "libbake/color/seam_measure.h"
 #include "libbake/content/choice_figures.h"
-#include "libbake/quality/low_pass.h"
 #include "libbake/report/cost.h"
-#include "libbake/report/reduced_tile.h"
 #include "libbake/report/rendering_measures.h"
+#include "libbake/report/scene.h"
 
 namespace texbake {
 namespace {
 
 constexpr const char* kNoContents = "the bundle has no contents yet: run \"texbake select-contents\"";
-constexpr int kMaxSeamTexels = 1 << 22;  // of the rendering in which seams are counted
 
 const char* title_of(Method method) {
   switch (method) {
@@ -27,34 +25,6 @@ const char* title_of(Method method) {
     default:
       return "This bundle";
   }
-}
-
-// The measured tile and what is drawn from it.
-struct Scene {
-  ReducedTile tile;
-  EvaluatorPlanes planes;
-  Image<V3f> exemplar;   // what all methods start from
-  Image<V3f> luv;        // the same in CIELUV
-  Image<V3f> base_luv;   // what contents exchange; the exemplar, or its structure
-  V2i tiles{0, 0};       // of a rendering
-  V2i seam_tiles{0, 0};  // of the one in which seams are counted
-
-  V2i size() const { return planes.size; }
-};
-
-Scene make_scene(const ReportInput& input, const ReportOptions& options) {
-  Scene scene;
-  scene.tile = reduced_tile(input.tile, reduction_to(input.tile, options.side_px));
-  scene.planes = prepare(scene.tile.input());
-  scene.base_luv = luv_from_linear(scene.tile.base);
-  scene.exemplar = input.exemplar.empty() ? scene.tile.base.clone() : reduce(input.exemplar, scene.tile.factor);
-  scene.luv = luv_from_linear(scene.exemplar);
-  scene.tiles = {options.tiles, options.tiles};
-  int seam_tiles = std::min(options.tiles, 3);
-  while (seam_tiles > 2 && static_cast<int64_t>(scene.luv.size()) * seam_tiles * seam_tiles > kMaxSeamTexels)
-    --seam_tiles;
-  scene.seam_tiles = {seam_tiles, seam_tiles};
-  return scene;
 }
 
 Image<V3f> rendering_luv(const Scene& scene, Method method, uint32_t seed) {
@@ -70,27 +40,27 @@ Image<V3f> rendering_luv(const Scene& scene, Method method, uint32_t seed) {
   }
 }
 
-void measure_method_seams(const Scene& scene, Method method, uint32_t seed, MeasureRow& row) {
+void measure_method_seams(const Scene& scene, V2i tiles, Method method, uint32_t seed, MeasureRow& row) {
   switch (method) {
     case Method::periodic:
-      return measure_seams(scene.luv, periodic_sources(scene.size(), scene.seam_tiles), Adjacency::plane, row);
+      return measure_seams(scene.luv, periodic_sources(scene.size(), tiles), Adjacency::plane, row);
     case Method::wang:
-      return measure_seams(scene.luv, wang_sources(scene.luv, scene.seam_tiles, seed), Adjacency::torus, row);
+      return measure_seams(scene.luv, wang_sources(scene.luv, tiles, seed), Adjacency::torus, row);
     case Method::hex:
       for (const Measure measure :
            {Measure::seam_auc, Measure::seam_tail, Measure::seam_auc_all, Measure::seam_tail_all, Measure::seam_run})
         row[measure] = Measured::undefined("every texel blends three readings: there is no seam");
       return;
     default:
-      return measure_seams(scene.luv, bundle_sources(scene.planes, scene.seam_tiles, seed), Adjacency::torus, row);
+      return measure_seams(scene.luv, bundle_sources(scene.planes, tiles, seed), Adjacency::torus, row);
   }
 }
 
 // Draws, measures and, once, pictures every method.
 class Measuring {
  public:
-  Measuring(const Scene& scene, const ReportOptions& options, Report& report, const Progress& progress)
-      : scene_(scene), options_(options), report_(report), progress_(progress) {}
+  Measuring(const Scenes& scenes, const ReportOptions& options, Report& report, const Progress& progress)
+      : scenes_(scenes), scene_(scenes.main), options_(options), report_(report), progress_(progress) {}
 
   void run(bool has_contents) {
     const std::vector<Method> methods = has_contents
@@ -114,7 +84,7 @@ class Measuring {
     MeasureRow row;
     const Image<V3f> rendering = rendering_luv(scene_, method, seed);
     measure_rendering(scene_.luv, rendering, seed + 1, row);
-    measure_method_seams(scene_, method, seed, row);
+    measure_method_seams(scenes_.seams(), scenes_.seam_tiles, method, seed, row);
     if (seed == 0) add_pictures(method, rendering);
     return row;
   }
@@ -123,10 +93,12 @@ class Measuring {
     for (ReportPicture& picture : rendering_pictures(title_of(method), rendering, scene_.size()))
       report_.pictures.push_back(std::move(picture));
     if (method != Method::bundle) return;
-    report_.pictures.push_back(seam_picture(scene_.luv, bundle_sources(scene_.planes, {2, 2}, 0)));
+    const Scene& seams = scenes_.seams();
+    report_.pictures.push_back(seam_picture(seams.luv, bundle_sources(seams.planes, {2, 2}, 0)));
     report_.pictures.push_back(repetition_picture(rendering, scene_.size()));
   }
 
+  const Scenes& scenes_;
   const Scene& scene_;
   const ReportOptions& options_;
   Report& report_;
@@ -164,19 +136,41 @@ void add_noise(const NoiseSummary& noise, MeasureRow& row) {
   set(Measure::noise_coherence, noise.coherence_drop);
 }
 
-// Every judged measure. An edge of the pattern that runs along the wrap is doubtful at worst.
-void judge_all(const SeamMeasure& seam, const ReportInput& input, Report& report) {
+// One axis of a wrap. An edge of the pattern that runs along it is doubtful at worst.
+Verdict judge_wrap(const AxisSeam& axis) {
+  const Verdict verdict = judge(*limits_of(Measure::tile_x, 1), Measured::of(axis.ratio));
+  return axis.tiles() ? std::min(verdict, Verdict::warn) : verdict;
+}
+
+SeamMeasure measure_map(const MapInput& map) {
+  if (map.channels.size() < 3) return measure_seam(map.channels[0]);
+  Image<V3f> values(map.channels[0].width(), map.channels[0].height());
+  for (size_t at = 0; at < values.size(); ++at)
+    for (size_t c = 0; c < 3; ++c) values.data()[at][static_cast<int>(c)] = map.channels[c].data()[at];
+  return measure_vector_seam(values);
+}
+
+std::vector<MapReport> map_reports(const std::vector<MapInput>& maps) {
+  std::vector<MapReport> reports;
+  for (const MapInput& map : maps) {
+    const SeamMeasure seam = measure_map(map);
+    reports.push_back({map.name, seam.x.ratio, seam.y.ratio, std::max(judge_wrap(seam.x), judge_wrap(seam.y))});
+  }
+  return reports;
+}
+
+// Every judged measure, and the maps.
+void judge_all(const SeamMeasure& seam, int soft_border_px, bool has_noise, Report& report) {
   const MeasureRow& row = report.of(Method::bundle);
-  const int soft_border_px = input.tile.soft_border_px;
   std::vector<Verdict> verdicts;
+  for (const MapReport& map : report.maps) verdicts.push_back(map.verdict);
   for (const MeasureKind& kind : measure_kinds()) {
     const auto limits = limits_of(kind.measure, std::max(report.content_count, 1), soft_border_px);
-    const bool absent = is_noise(kind.measure) && !input.noise;
+    const bool absent = is_noise(kind.measure) && !has_noise;
     if (!limits || absent) continue;
     Verdict verdict = judge(*limits, row[kind.measure]);
-    const bool true_edge =
-        (kind.measure == Measure::tile_x && seam.x.tiles()) || (kind.measure == Measure::tile_y && seam.y.tiles());
-    if (true_edge) verdict = std::min(verdict, Verdict::warn);
+    if (kind.measure == Measure::tile_x) verdict = judge_wrap(seam.x);
+    if (kind.measure == Measure::tile_y) verdict = judge_wrap(seam.y);
     report.judgements.push_back({kind.measure, *limits, verdict});
     verdicts.push_back(verdict);
   }
@@ -188,23 +182,26 @@ void judge_all(const SeamMeasure& seam, const ReportInput& input, Report& report
 Report report(const ReportInput& input, const ReportOptions& options, const Progress& progress) {
   check_options(options);
   const EvaluatorPlanes planes = prepare(input.tile);
-  const Scene scene = make_scene(input, options);
+  const Scenes scenes = make_scenes(input, options);
+  const Scene& scene = scenes.main;
   Report result;
   result.tile_px = planes.size;
   result.reduction = scene.tile.factor;
+  result.seam_reduction = scenes.seams().tile.factor;
   result.options = options;
   result.patch_count = input.tile.patches ? input.tile.patches->partition.count() : 0;
   result.content_count = input.tile.contents ? input.tile.contents->content_count : 0;
 
   // The tile by itself.
   const SeamMeasure seam = measure_seam(input.exemplar.empty() ? input.tile.base : input.exemplar);
+  result.maps = map_reports(input.tile.maps);
   result.floor = fidelity_floor(scene.luv);
   result.suitability = suitability(input.contrast, find_lattice(scene.luv));
   result.pictures = bundle_pictures(input.tile, planes, input.exemplar, input.spectra);
   texbake::report(progress, 0.1);
 
   // Renderings of the bundle and of the baselines, and what needs none.
-  Measuring(scene, options, result, progress).run(result.content_count > 0);
+  Measuring(scenes, options, result, progress).run(result.content_count > 0);
   for (MeasureRow& row : result.methods) {
     row[Measure::tile_x] = Measured::of(seam.x.ratio);
     row[Measure::tile_y] = Measured::of(seam.y.ratio);
@@ -215,7 +212,7 @@ Report report(const ReportInput& input, const ReportOptions& options, const Prog
     undefine_missing(kNoContents, result.methods[static_cast<size_t>(Method::bundle)]);
   if (input.noise) add_noise(*input.noise, result.methods[static_cast<size_t>(Method::bundle)]);
   add_cost(planes, result.methods);
-  judge_all(seam, input, result);
+  judge_all(seam, scenes.seams().tile.soft_border_px, input.noise.has_value(), result);
   return result;
 }
 

@@ -134,6 +134,53 @@ TEST(Report, CountsWhatIsFetched) {
   EXPECT_DOUBLE_EQ(value(found, Method::bundle, Measure::gpu_bytes), (1024 * 12 + 16 * 4 * 16) / 1048576.0);
 }
 
+TEST(Report, SoftBordersCostMoreWhereTheyAre) {
+  const TileFixture fixture = tile_fixture(64, 3);
+  ReportInput input;
+  input.tile = fixture.input();
+  input.tile.soft_border_px = 2;
+  const Report found = report(input, small_options());
+  // 16 squares of 16 texels, soft one texel deep on each side: 1 − (14/16)² of the texels have two shares, and of these
+  // (2/16)² have up to four. A share more costs two fetches.
+  EXPECT_GE(value(found, Method::bundle, Measure::fetches), 2 + 2 * (1 - 14.0 * 14 / 256));
+  EXPECT_LE(value(found, Method::bundle, Measure::fetches), 2 + 2 * (1 - 14.0 * 14 / 256) + 4 * 4.0 / 256);
+}
+
+TEST(Report, SeamsAreMeasuredAtFullSizeWhereTheRestIsReduced) {
+  const TileFixture fixture = tile_fixture(64, 3);
+  ReportInput input;
+  input.tile = fixture.input();
+  const Report whole = report(input, {.seeds = 1, .tiles = 2, .side_px = 64});
+  const Report reduced = report(input, {.seeds = 1, .tiles = 2, .side_px = 32});
+  EXPECT_EQ(reduced.reduction, 2);
+  EXPECT_EQ(reduced.seam_reduction, 1);
+  EXPECT_EQ(value(reduced, Method::bundle, Measure::seam_auc), value(whole, Method::bundle, Measure::seam_auc));
+  EXPECT_NE(value(reduced, Method::bundle, Measure::gradient_ratio),
+            value(whole, Method::bundle, Measure::gradient_ratio));
+}
+
+TEST(Report, SaysOfEveryMapWhetherItTiles) {
+  const TileFixture fixture = tile_fixture(64, 3);
+  Image<float> tiles(64, 64), ramp(64, 64);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      tiles(x, y) = fixture.base(x, y).x;
+      ramp(x, y) = static_cast<float>(x);  // 63 steps of 1 inside, one of 63 across the wrap
+    }
+  ReportInput input;
+  input.tile = fixture.input();
+  input.tile.maps.push_back({"roughness", MapKind::plain, {tiles}});
+  input.tile.maps.push_back({"normal", MapKind::normal_opengl, {tiles, tiles, ramp}});
+  const Report found = report(input, small_options());
+  ASSERT_EQ(found.maps.size(), 2u);
+  EXPECT_EQ(found.maps[0].name, "roughness");
+  EXPECT_LT(found.maps[0].tile_x, 1.5);
+  EXPECT_LE(found.maps[0].verdict, Verdict::warn);
+  EXPECT_GT(found.maps[1].tile_x, 10);
+  EXPECT_EQ(found.maps[1].verdict, Verdict::fail);
+  EXPECT_EQ(found.verdict, Verdict::fail);
+}
+
 TEST(OverSeeds, GivesMeanAndStandardDeviation) {
   std::vector<MeasureRow> rows(2);
   rows[0][Measure::color] = Measured::of(1.0);
