@@ -83,8 +83,9 @@ struct Heightmap {
 ///   0 and π/8. A class without a click goes by appearance.
 /// A texel at distance 0 from a click takes its height. At last heights are smoothed (refine.h), and then a click's
 /// height is smoothed like the others. One click gives a constant height.
-/// Throws Error(bad_data) without a click, for a click outside the tile, a height outside 0 … 1, or two heights on one
-/// texel.
+/// What it recovers of known heights, as correlations with 10, 30 and 100 clicks at 512²: bark 0.18, 0.29, 0.40;
+/// cracked earth 0.69, 0.75, 0.76; a linear fit of the same descriptors to half of all heights: 0.45, 0.79. Throws
+/// Error(bad_data) without a click, for a click outside the tile, a height outside 0 … 1, or two heights on one texel.
 Heightmap heightmap(const PrincipalVariation& colors, ImageView<const V3f> base, const std::vector<HeightClick>& clicks,
                     const HeightmapOptions& options = {}, const Progress& progress = {});
 

@@ -7,6 +7,7 @@
 #include "libbake/base/error.h"
 #include "libbake/height/shading.h"
 #include "tests/libbake/height/known_height.h"
+#include "tests/libbake/height/obvious_heights.h"
 
 namespace texbake {
 namespace {
@@ -110,6 +111,20 @@ TEST_P(HeightmapOfEither, RefusesWhatMakesNoSense) {
   EXPECT_THROW(heights(colors, {{{0, 0}, NAN}}, options), Error);
   EXPECT_THROW(heights(colors, {{{1, 1}, 0.5f}, {{1, 1}, 0.6f}}, options), Error);
   EXPECT_NO_THROW(heights(colors, {{{1, 1}, 0.5f}, {{1, 1}, 0.5f}}, options));
+}
+
+TEST(Heightmap, EqualsTheObviousLoop) {
+  const Image<float> truth = bumps(48);
+  const PrincipalVariation colors = one_class(light_of_bumps(48));
+  HeightmapOptions options;
+  options.refine = 0.0f;
+  for (const int count : {1, 2, 3, 10, 40}) {
+    const auto clicks = twin::random_clicks(truth, count, 7);
+    const Image<float> found = heights(colors, clicks, options).height_01;
+    const Image<float> expected = twin::obvious_heights(decode(colors), clicks);
+    for (size_t i = 0; i < found.size(); ++i)
+      EXPECT_NEAR(found.data()[i], expected.data()[i], 1e-6) << count;  // weights are scaled before they are summed
+  }
 }
 
 TEST(Heightmap, TheValuesOfThePaperComeWithItsDescriptor) {

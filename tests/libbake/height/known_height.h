@@ -44,10 +44,11 @@ inline std::vector<HeightClick> chosen_clicks(const Image<float>& truth, int cou
     const double rank = (i + 0.5) / count;
     const auto first = static_cast<size_t>(std::max(0.0, rank - 0.03) * static_cast<double>(truth.size()));
     const auto span = static_cast<uint32_t>(0.06 * static_cast<double>(truth.size()));
-    size_t best = by_height[first + random.below(span)];
-    for (int draw = 1; draw < 64; ++draw) {
-      const size_t other = by_height[std::min(first + random.below(span), truth.size() - 1)];
-      if (slope(other) < slope(best)) best = other;
+    const auto draw = [&] { return by_height[std::min(first + random.below(span), truth.size() - 1)]; };
+    size_t best = draw();
+    for (int other = 1; other < 64; ++other) {
+      const size_t drawn = draw();
+      if (slope(drawn) < slope(best)) best = drawn;
     }
     clicks.push_back(click_on(truth, best));
   }
