@@ -38,7 +38,7 @@ cd "$out"
 # Two layers. As Guingo et al. 2017, Fig. 9: contents exchanged in one layer; exchanged, turned and shrunk beneath grain
 # that is made anew. Fig. 10: the same deformation of one layer, whose grain it spoils, and of two.
 "$texbake" bake lichen.png -o lichen_1.texbundle
-"$texbake" bake lichen.png --layers structure+noise --decompose-noises 2 -o lichen_2.texbundle
+"$texbake" bake lichen.png --layers structure+noise --decompose-noises 2 --select-contents-scales 3 -o lichen_2.texbundle
 for layers in 1 2; do
   "$texbake" render lichen_$layers.texbundle -o lichen_exchange_$layers.png --size 2048x2048
   "$texbake" render lichen_$layers.texbundle -o lichen_deformed_$layers.png --size 1024x1024 \
