@@ -18,6 +18,7 @@ DistanceField::DistanceField(ImageView<const uint8_t> classes, const ClassDistan
         const int class_idx = classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height()));
         planes_.push_back(class_idx / 16 == k ? static_cast<uint8_t>(class_idx % 16) : uint8_t{128});
       }
+  classes_.reserve(plane_size_);
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < stride_; ++x)
       classes_.push_back(classes(wrap(x - kMaskRadius, classes.width()), wrap(y - kMaskRadius, classes.height())));

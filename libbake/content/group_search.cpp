@@ -1,6 +1,7 @@
 #include "libbake/content/group_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <span>
 
@@ -9,21 +10,35 @@
 namespace texbake {
 namespace {
 
-constexpr int64_t kNoLimit = kExcluded - 1;
 constexpr int kWiderAttempts = 3;        // with limits half as wide again each; after them there are none
 constexpr size_t kFirstRoundShare = 64;  // the first round, which knows no limits yet, takes 1/64 of the tasks
-constexpr size_t kLongestRoundShare = 8;
+constexpr size_t kLongestRoundShare = 16;  // what a round finds is there twice while it is merged
 
-// A translation and its sum in 12 bytes, since millions are kept at a time.
-class Found {
+// Translations and their sums in 8 bytes each, since millions are kept at a time: the sum above the place y · width +
+// x, so that numbers are ordered as candidates are.
+class FoundPacking {
  public:
-  Found(uint32_t place, uint64_t error_sum)
-      : place_(place), sum_low_(static_cast<uint32_t>(error_sum)), sum_high_(static_cast<uint32_t>(error_sum >> 32)) {}
-  uint32_t place() const { return place_; }  // y · width + x
-  uint64_t error_sum() const { return uint64_t{sum_high_} << 32 | sum_low_; }
+  explicit FoundPacking(V2i size)
+      : width_(static_cast<uint64_t>(size.x)),
+        place_bits_(std::max(static_cast<int>(std::bit_width(width_ * static_cast<uint64_t>(size.y) - 1)), 1)) {}
+
+  // The largest sum there is room for: 44 bits at 1024², where no sum needs more than 42, and 40 bits at 4096², enough
+  // for 345 000 texels of the largest error.
+  int64_t largest_sum() const { return std::min(kExcluded - 1, static_cast<int64_t>(~uint64_t{0} >> place_bits_)); }
+  uint64_t pack(V2i t, int64_t sum) const {
+    return static_cast<uint64_t>(sum) << place_bits_ |
+           (static_cast<uint64_t>(t.y) * width_ + static_cast<uint64_t>(t.x));
+  }
+  uint64_t error_sum(uint64_t found) const { return found >> place_bits_; }
+  V2i translation(uint64_t found) const {
+    const auto place = static_cast<uint32_t>(found & ((uint64_t{1} << place_bits_) - 1));
+    const auto width = static_cast<uint32_t>(width_);
+    return {static_cast<int>(place % width), static_cast<int>(place / width)};
+  }
 
  private:
-  uint32_t place_, sum_low_, sum_high_;
+  uint64_t width_;
+  int place_bits_;
 };
 
 // One search: rounds of tasks, each at most as long as all before it, with limits learnt from what the earlier rounds
@@ -33,12 +48,14 @@ class Rounds {
   Rounds(V2i size, const BorderProgram& program, const DistanceField& field, const std::vector<uint32_t>& order,
          int patch_count, const SearchRequest& request)
       : size_(size),
+        packing_(size),
+        no_limit_(packing_.largest_sum()),
         program_(program),
         field_(field),
         order_(order),
         request_(request),
         open_(static_cast<size_t>(patch_count), 1),
-        limits_(static_cast<size_t>(patch_count), kNoLimit),
+        limits_(static_cast<size_t>(patch_count), no_limit_),
         found_(static_cast<size_t>(patch_count)),
         taken_(static_cast<size_t>(patch_count)) {}
 
@@ -64,10 +81,10 @@ class Rounds {
     bool any = false;
     for (size_t patch = 0; patch < open_.size(); ++patch) {
       if (!open_[patch]) continue;
-      open_[patch] = taken_[patch].size() < static_cast<size_t>(request_.count) && limits_[patch] < kNoLimit;
+      open_[patch] = taken_[patch].size() < static_cast<size_t>(request_.count) && limits_[patch] < no_limit_;
       if (!open_[patch]) continue;
       any = true;
-      limits_[patch] = attempts_ < kWiderAttempts ? limits_[patch] + limits_[patch] / 2 + 1 : kNoLimit;
+      limits_[patch] = attempts_ < kWiderAttempts ? limits_[patch] + limits_[patch] / 2 + 1 : no_limit_;
     }
     ++attempts_;
     return any;
@@ -83,7 +100,7 @@ class Rounds {
  private:
   void run_round(std::span<const GroupTask> tasks) {
     struct Batch {
-      std::vector<std::vector<Found>> found;  // of each patch
+      std::vector<std::vector<uint64_t>> found;  // of each patch
       uint64_t error_count = 0;
     };
     std::vector<Batch> batches((tasks.size() + kBatch - 1) / kBatch);
@@ -130,34 +147,26 @@ class Rounds {
     return group;
   }
 
-  void add_survivors(const GroupSums& group, size_t patch, std::vector<Found>& found) const {
+  void add_survivors(const GroupSums& group, size_t patch, std::vector<uint64_t>& found) const {
     if (!group.alive[patch]) return;
     for (int lane = 0; lane < kGroupSize; ++lane) {
       const int64_t sum = group.sums[patch * kGroupSize + static_cast<size_t>(lane)];
       if (sum > limits_[patch]) continue;
-      const V2i t = translation(group.translation, lane);
-      found.emplace_back(static_cast<uint32_t>(t.y) * static_cast<uint32_t>(size_.x) + static_cast<uint32_t>(t.x),
-                         static_cast<uint64_t>(sum));
+      found.push_back(packing_.pack(translation(group.translation, lane), sum));
     }
   }
 
   // take_separated of what a patch has found.
   Candidates take(size_t patch, int count) const {
-    const std::vector<Found>& found = found_[patch];
-    const auto translation_of = [&](uint32_t i) {
-      const auto width = static_cast<uint32_t>(size_.x);
-      return V2i(static_cast<int>(found[i].place() % width), static_cast<int>(found[i].place() / width));
-    };
-    const auto before = [&](uint32_t i, uint32_t j) {
-      const uint64_t a = found[i].error_sum(), b = found[j].error_sum();
-      return a != b ? a < b : found[i].place() < found[j].place();
-    };
+    const std::vector<uint64_t>& found = found_[patch];
+    const auto translation_of = [&](uint32_t i) { return packing_.translation(found[i]); };
+    const auto before = [&](uint32_t i, uint32_t j) { return found[i] < found[j]; };
     TakeApart left(static_cast<uint32_t>(found.size()), size_, request_.separation_px, translation_of, before);
     Candidates taken;
     while (taken.size() < static_cast<size_t>(count)) {
       const uint32_t best = left.take();
       if (best == left.kNone) break;
-      taken.push_back({translation_of(best), found[best].error_sum()});
+      taken.push_back({translation_of(best), packing_.error_sum(found[best])});
     }
     return taken;
   }
@@ -182,18 +191,20 @@ class Rounds {
       if (taken.size() < static_cast<size_t>(wider_count)) return;
       limits_[patch] = std::min(limits_[patch], static_cast<int64_t>(taken.back().error_sum));
       std::erase_if(found_[patch],
-                    [&](const Found& f) { return f.error_sum() > static_cast<uint64_t>(limits_[patch]); });
+                    [&](uint64_t found) { return packing_.error_sum(found) > static_cast<uint64_t>(limits_[patch]); });
     });
   }
 
   V2i size_;
+  FoundPacking packing_;
+  int64_t no_limit_;
   const BorderProgram& program_;
   const DistanceField& field_;
   const std::vector<uint32_t>& order_;
   SearchRequest request_;
   std::vector<uint8_t> open_;
   std::vector<int64_t> limits_;
-  std::vector<std::vector<Found>> found_;  // not beyond the limits, of the tasks so far
+  std::vector<std::vector<uint64_t>> found_;  // packed; not beyond the limits, of the tasks so far
   std::vector<Candidates> taken_;
   uint64_t error_count_ = 0;
   int attempts_ = 0;
