@@ -24,6 +24,14 @@ struct Drawer {
       : context(context_options(GlLanguage::core, device)), renderer(context, planes, fragment_shader) {}
 };
 
+struct StackDrawer {
+  GlContext context;
+  GlStackRenderer renderer;
+  StackDrawer(const StackPlanes& planes, const std::optional<int>& device, const std::string& fragment_shader,
+              const ReliefPlanes* relief = nullptr)
+      : context(context_options(GlLanguage::core, device)), renderer(context, planes, fragment_shader, relief) {}
+};
+
 template <class Check>
 std::vector<LanguageParity> in_languages(GlLanguage language, const std::optional<int>& device, const Check& check) {
   std::vector<LanguageParity> found;
@@ -39,18 +47,16 @@ std::vector<LanguageParity> in_languages(GlLanguage language, const std::optiona
 
 std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
                                       const std::optional<int>& device, const ParityOptions& options) {
-  return in_languages(language, device,
-                      [&](GlLanguage one, const GlContext& context) -> LanguageParity {
-                        return {one, check_parity(planes, context, options), check_perspective_parity(planes, context)};
-                      });
+  return in_languages(language, device, [&](GlLanguage one, const GlContext& context) -> LanguageParity {
+    return {one, check_parity(planes, context, options), check_perspective_parity(planes, context)};
+  });
 }
 
-std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, GlLanguage language,
+std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, const ReliefPlanes* relief, GlLanguage language,
                                             const std::optional<int>& device, const ParityOptions& options) {
-  return in_languages(language, device,
-                      [&](GlLanguage one, const GlContext& context) -> LanguageParity {
-                        return {one, check_stack_parity(planes, context, options), {}};
-                      });
+  return in_languages(language, device, [&](GlLanguage one, const GlContext& context) -> LanguageParity {
+    return {one, check_stack_parity(planes, context, options), check_stack_perspective_parity(planes, relief, context)};
+  });
 }
 
 DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
@@ -66,6 +72,23 @@ DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const 
   const auto drawer = std::make_shared<Drawer>(planes, device, perspective_fragment_shader(ShaderLanguage::glsl_330));
   return [drawer, &plane, view](int begin, int end) {
     return color_values(drawer->renderer.draw(view, plane, begin, end).values);
+  };
+}
+
+DrawRows gl_stack_row_drawer(const StackPlanes& planes, const Window& window, const std::optional<int>& device,
+                             std::shared_ptr<const void> keeper) {
+  const auto drawer = std::make_shared<StackDrawer>(planes, device, stack_fragment_shader(ShaderLanguage::glsl_330));
+  return [drawer, &planes, window, keeper](int begin, int end) {
+    return gl_rows(drawer->renderer, planes, window, begin, end);
+  };
+}
+
+DrawRows gl_stack_row_drawer(const StackPlanes& planes, const ReliefPlanes* relief, const Perspective& view,
+                             const std::optional<int>& device, std::shared_ptr<const void> keeper) {
+  const auto drawer = std::make_shared<StackDrawer>(
+      planes, device, stack_perspective_fragment_shader(ShaderLanguage::glsl_330), relief);
+  return [drawer, view, keeper](int begin, int end) {
+    return color_values(drawer->renderer.draw(view, begin, end).values);
   };
 }
 
@@ -85,13 +108,21 @@ std::vector<LanguageParity> gl_parity(const EvaluatorPlanes&, GlLanguage, const 
   refuse();
 }
 
-std::vector<LanguageParity> gl_stack_parity(const StackPlanes&, GlLanguage, const std::optional<int>&,
-                                            const ParityOptions&) {
+std::vector<LanguageParity> gl_stack_parity(const StackPlanes&, const ReliefPlanes*, GlLanguage,
+                                            const std::optional<int>&, const ParityOptions&) {
   refuse();
 }
 
 DrawRows gl_row_drawer(const EvaluatorPlanes&, const Plane&, const Window&, const std::optional<int>&) { refuse(); }
 DrawRows gl_row_drawer(const EvaluatorPlanes&, const Plane&, const Perspective&, const std::optional<int>&) {
+  refuse();
+}
+DrawRows gl_stack_row_drawer(const StackPlanes&, const Window&, const std::optional<int>&,
+                             std::shared_ptr<const void>) {
+  refuse();
+}
+DrawRows gl_stack_row_drawer(const StackPlanes&, const ReliefPlanes*, const Perspective&, const std::optional<int>&,
+                             std::shared_ptr<const void>) {
   refuse();
 }
 #endif

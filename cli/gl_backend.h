@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "libbake/base/options.h"
+#include "libbake/eval/relief_planes.h"
 #include "libbake/eval/stack_planes.h"
 #include "libbake/gl/parity.h"
 #include "libbake/gl/perspective_parity.h"
@@ -63,8 +65,8 @@ struct LanguageParity {
 std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
                                       const std::optional<int>& device, const ParityOptions& options);
 
-/// The same for all scales of a stack together.
-std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, GlLanguage language,
+/// The same for all scales of a stack together; in perspective with the relief of the coarsest, where it is given.
+std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, const ReliefPlanes* relief, GlLanguage language,
                                             const std::optional<int>& device, const ParityOptions& options);
 
 /// Draws rows row_begin ≤ j < row_end of a window.
@@ -76,5 +78,11 @@ DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const 
                        const std::optional<int>& device);
 DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
                        const std::optional<int>& device);
+
+/// The same of all scales of a stack; `keeper` lives as long as what is returned.
+DrawRows gl_stack_row_drawer(const StackPlanes& planes, const Window& window, const std::optional<int>& device,
+                             std::shared_ptr<const void> keeper);
+DrawRows gl_stack_row_drawer(const StackPlanes& planes, const ReliefPlanes* relief, const Perspective& view,
+                             const std::optional<int>& device, std::shared_ptr<const void> keeper);
 
 }  // namespace texbake

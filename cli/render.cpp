@@ -7,14 +7,12 @@
 #include "cli/evaluator_input.h"
 #include "cli/gl_backend.h"
 #include "cli/option_flags.h"
-#include "cli/relief_options.h"
+#include "cli/stack_drawer.h"
 #include "cli/view_options.h"
 #include "formats/bundle_io.h"
 #include "formats/image_writer.h"
 #include "libbake/eval/levels.h"
-#include "libbake/eval/relief_window.h"
 #include "libbake/eval/show.h"
-#include "libbake/eval/stack_levels.h"
 #include "libbake/eval/supersample.h"
 
 namespace texbake {
@@ -130,9 +128,11 @@ void check_relief(const Request& request) {
   if (request.relief.depth_px == 0) return;
   if (request.map || request.options.show != Show::color)
     throw Error(ErrorKind::usage, "--relief: the texture is lit; expected no --map and no --show beside it");
+  if (request.view.view == View::plane) return;
   if (request.gl.backend == Backend::gl)
-    throw Error(ErrorKind::usage,
-                "--relief: expected --backend cpu, found gl; engines draw relief before the exact path");
+    throw Error(ErrorKind::usage, "--relief: expected --backend cpu or --view plane, found gl and a flat window");
+  if (request.view.supersample > 1)
+    throw Error(ErrorKind::usage, "--supersample: expected --view plane beside --relief, found a flat window");
 }
 
 /// Draws by strips of rows, so that a window of any size takes the same memory.
@@ -177,32 +177,26 @@ DrawRows plane_drawer(const Request& request, EvaluatorPlanes& planes, const Pla
   return [&, view](int begin, int end) { return render_perspective_rows(planes, plane, view, begin, end); };
 }
 
-bool has_relief(const Request& request) { return request.relief.depth_px > 0; }
+/// Whether all scales are drawn together; a map, or how the texture is put together, is that of the finest.
+bool draws_stack(const Request& request, const Bundle& bundle) {
+  const bool in_colour = !request.map && request.options.show == Show::color;
+  return in_colour && (bundle.scales.size() > 1 || has_relief(request.relief));
+}
 
-/// All scales in colour, and the relief of the coarsest.
 void render_stack(const Request& request, const Bundle& bundle, const std::string& path, Console& console) {
-  const std::vector<StackScale> scales = stack_input(bundle);
-  StackPlanes planes = prepare_stack(scales);
-  const Window window = window_of(request.window, parse_size("size", request.options.size), planes.sizes.back());
-  if (needs_levels(window)) add_levels(planes, scales);
-  const PictureFormat format{.width = window.width, .height = window.height, .samples = request.options.bits};
-  if (!has_relief(request))
-    return stream(
-        path, format, [&](int begin, int end) { return render_stack_rows(planes, window, begin, end); }, console);
-  const EvaluatorPlanes coarsest = prepare(evaluator_input(bundle.scales.front()));
-  const Relief relief(coarsest, request.relief, parse_direction("light", request.slant.light));
-  const Direction viewer = parse_direction("view-direction", request.slant.view);
-  stream(
-      path, format, [&](int begin, int end) { return render_relief_rows(planes, relief, viewer, window, begin, end); },
-      console);
+  if (!deformation_of(request.deform).is_identity())
+    throw Error(ErrorKind::usage,
+                "--rotate, --stretch, --turbulence: a bundle of one scale is deformed, without --relief");
+  const PixelSize size = parse_size("size", request.options.size);
+  const DrawRows draw_rows =
+      stack_drawer(bundle, {size, request.window, request.view, request.relief, request.slant, request.gl});
+  stream(path, {.width = size.width, .height = size.height, .samples = request.options.bits}, draw_rows, console);
 }
 
 void render(const Request& request, const std::string& path, Console& console) {
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  const bool whole = !request.map && request.options.show == Show::color && request.gl.backend == Backend::cpu &&
-                     request.view.view == View::flat && request.view.supersample == 1;
-  if ((bundle.scales.size() > 1 || has_relief(request)) && whole) return render_stack(request, bundle, path, console);
+  if (draws_stack(request, bundle)) return render_stack(request, bundle, path, console);
   EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   const Plane& plane = chosen_plane(planes, request.map);
   const PixelSize size = parse_size("size", request.options.size);

@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/evaluator_input.h"
 #include "cli/option_flags.h"
+#include "cli/stack_drawer.h"
 #include "cli/verify_frame.h"
 #include "cli/verify_gl.h"
 #include "formats/bundle_io.h"
@@ -60,6 +61,9 @@ struct Request {
   FrameRequest frame;
 };
 
+/// Texels between height 0 and 1 where relief is compared.
+constexpr float kReliefDepth = 16;
+
 /// The bundle by itself.
 Outcome judged(const std::string& path) {
   const std::vector<Issue> issues = verify_bundle(path);
@@ -105,8 +109,12 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
     const std::vector<StackScale> scales = stack_input(bundle);
     StackPlanes stack = prepare_stack(scales);
     add_levels(stack, scales);
-    append(outcome,
-           parity_outcome(gl_stack_parity(stack, language, request.gl.gl_device, options), stack.sizes.back()));
+    const Scale& coarsest = bundle.scales.front();
+    ReliefOptions relief;
+    relief.depth_px = kReliefDepth;
+    const auto heights = coarsest.height ? relief_of(coarsest, relief, SlantOptions()) : nullptr;
+    append(outcome, parity_outcome(gl_stack_parity(stack, heights.get(), language, request.gl.gl_device, options),
+                                   stack.sizes.back()));
   } else {
     append(outcome, parity_outcome(gl_parity(planes, language, request.gl.gl_device, options), planes.size));
   }

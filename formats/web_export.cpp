@@ -145,7 +145,6 @@ std::string web_texture_script(const StackPlanes& planes) {
   json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
   json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
   json["base_levels"] = values_json(planes.base_levels, may_be_half);
-  json["fragment_ranges"] = plane_json<glsl::FragmentRange>("RG32UI", planes.fragment_ranges);
   json["fragment_shares"] = plane_json<glsl::ivec4>("RGBA32I", planes.fragment_shares);
   return "texbake.open(" + texture.dump() + ");\n";
 }

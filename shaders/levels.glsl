@@ -20,6 +20,10 @@ vec4 kind_value(sampler2D plane, int kind, Source source) {
   vec4 value = source_value(plane, source);
   if (kind == 0 || kind == 4) return value;
   if (kind == 3) return scaled_height(value, source);
+  if (kind >= 5) {
+    vec4 normal = turned_normal(vec4(value.y, value.z, value.w, 0.0f), source, kind == 5 ? 1.0f : -1.0f);
+    return vec4(scaled_height(value, source).x, normal.x, normal.y, normal.z);
+  }
   return turned_normal(value, source, kind == 1 ? 1.0f : -1.0f);
 }
 

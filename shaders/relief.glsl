@@ -1,9 +1,8 @@
 // Relief: where a slanted view ray meets the height field of a scale, and how the place is lit. Floating point, before
 // the exact path: what follows is evaluated at the point that was found.
 // Based on: Policarpo, Oliveira and Comba 2005, linear then binary search; Vanhoey et al. 2013, §7.
-// Needs sample.glsl, height_plane (a height map of the scale in use, laid out as `base`) and these uniforms:
-//   relief_range   vec4   greatest height, least height, height of the plane that is drawn, 0
-//   relief_steps   ivec2  steps of the linear and of the binary search
+// Needs levels.glsl, what relief_bindings.glsl binds, and the scale of the heights in use; relief_level is the level of
+// detail at which they are read.
 
 // A place moved by 1/256 texels, within a few million.
 Position moved_position(Position at, int dx, int dy) {
@@ -19,7 +18,7 @@ Position moved_position(Position at, int dx, int dy) {
   return moved;
 }
 
-float height_at(Position at) { return footprint_height(height_plane, footprint_at(at)).x; }
+float height_at(Position at) { return level_value(height_plane, 3, height_levels, at, relief_level).x; }
 
 // To the nearest 1/256 texel.
 int rounded_256(float texels) { return int(floor(texels * 256.0f + 0.5f)); }
@@ -31,18 +30,19 @@ Position ray_point(Position at, vec2 slope, float level) {
   return moved_position(at, rounded_256(slope.x * fallen), rounded_256(slope.y * fallen));
 }
 
-// Where the ray through `at` first meets the surface. A flat height field moves nothing.
-Position relief_position(Position at, vec2 slope) {
+// The height at which the ray through `at` first meets the surface, in at most `steps` and relief_steps.y further ones. A
+// flat height field moves nothing.
+float relief_height(Position at, vec2 slope, int steps) {
   float top = relief_range.x;
   float bottom = relief_range.y;
-  if (top <= bottom || (slope.x == 0.0f && slope.y == 0.0f)) return at;
+  if (top <= bottom || (slope.x == 0.0f && slope.y == 0.0f)) return relief_range.z;
 
   // Linear search, from the top: the first step that ends below the surface.
-  float stride = (top - bottom) / float(relief_steps.x);
+  float stride = (top - bottom) / float(steps);
   float above = top;
   float below_surface = bottom;
-  for (int i = 1; i <= relief_steps.x; ++i) {
-    float level = i == relief_steps.x ? bottom : top - stride * float(i);
+  for (int i = 1; i <= steps; ++i) {
+    float level = i == steps ? bottom : top - stride * float(i);
     if (height_at(ray_point(at, slope, level)) >= level) {
       below_surface = level;
       break;
@@ -55,7 +55,11 @@ Position relief_position(Position at, vec2 slope) {
     if (height_at(ray_point(at, slope, middle)) >= middle) below_surface = middle;
     else above = middle;
   }
-  return ray_point(at, slope, below_surface);
+  return below_surface;
+}
+
+Position relief_position(Position at, vec2 slope) {
+  return ray_point(at, slope, relief_height(at, slope, relief_steps.x));
 }
 
 // How steep the surface is, to the right and downwards: rise in texels for a texel, where heights 0 to 1 are `depth`
@@ -81,4 +85,11 @@ float shade(vec2 gradient, vec4 light) {
   float length_squared = 1.0f + gradient.x * gradient.x + gradient.y * gradient.y;
   float direct = facing > 0.0f ? facing / sqrt(length_squared) : 0.0f;
   return light.z + (1.0f - light.z) * direct;
+}
+
+// The same of the mean of many normals, not normalised: it is linear in them, so that the light on their mean is the mean
+// of theirs, where none of them turns away. normal.z is in its w.
+float shade_of_normals(vec4 relief, float up, vec4 light) {
+  float facing = relief.w + relief.y * light.x - relief.z * up * light.y;
+  return light.z + (1.0f - light.z) * (facing > 0.0f ? facing : 0.0f);
 }

@@ -44,6 +44,12 @@ std::string stack_fragment_shader(ShaderLanguage language) {
   return stack_core(language) + concatenated({"stack.frag"});
 }
 
+std::string stack_perspective_fragment_shader(ShaderLanguage language) {
+  return stack_core(language) +
+         concatenated({"relief_bindings.glsl", "relief.glsl", "perspective_bindings.glsl", "perspective.glsl",
+                       "stack_relief.glsl", "stack_perspective.glsl", "stack_perspective.frag"});
+}
+
 std::string reference_vertex_shader(ShaderLanguage language) {
   return concatenated({prologue(language), "reference.vert"});
 }

@@ -28,6 +28,9 @@ std::string stack_viewer_fragment_shader(ShaderLanguage language);
 /// The text of several scales, with stack.frag, drawn with reference_vertex_shader.
 std::string stack_fragment_shader(ShaderLanguage language);
 
+/// The same as an endless plane in perspective.
+std::string stack_perspective_fragment_shader(ShaderLanguage language);
+
 /// Prologue, bindings and core, for another fragment shader's `main` to follow: of one scale; of several.
 std::string reference_core(ShaderLanguage language);
 std::string stack_core(ShaderLanguage language);

@@ -8,15 +8,15 @@ uniform isampler2D fragment_plane;  // RGBA16I  way to the fragment's centre x, 
 uniform sampler2D local_mean;       // RGBA32F  where a scale subtracts a local mean
 uniform isampler2D scale_table;     // RGBA32I  4 x S   W, H, plane_row, first_patch; N_t, ratio, first_class, bits;
                                     //                  level_row, block_row, entry_row, level_count; value_row, dominant_row,
-                                    //                  range_row, 256 variationFade
+                                    //                  share_row, 256 variationFade
 uniform sampler2D class_table;      // RGBA32F  K x 2   dominant colour, gain; taking, giving, 0, 0
 uniform sampler2D mean_table;       // RGBA32F  2 x S   mean of the dominant part; mean of the tile with its gains
 uniform isampler2D level_table;     // RGBA32I  3 x n  as in bindings.glsl, as are the next three
 uniform usampler2D level_blocks;    // RG32UI
 uniform usampler2D level_entries;   // RG16UI   4096 x n
 uniform sampler2D base_levels;      // RGBA32F  4096 x n  of the bases with their gains; of dominant colours; w: taking
-uniform usampler2D fragment_ranges; // RG32UI   4096 x n  of each value of a block: first and number of the
-uniform isampler2D fragment_shares; // RGBA32I  4096 x n  fragments: centre x, y; bits of share times taking; source x + 65536 y
+uniform isampler2D fragment_shares; // RGBA32I  4096 x n  of each value of a block its first fragment, then the others: centre x + 65536 y;
+                                    //                  bits of its share times taking; source x + 65536 y; number of the next
 uniform int scale_count;            // S
 uniform uint stack_seed;
 uniform uvec4 nesting[8];           // of each scale a repetition near what is drawn: x, y; where its corner lies in the
@@ -36,7 +36,12 @@ int entry_row;
 int level_count;
 int value_row;
 int dominant_row;
-int range_row;
+int share_row;
+// What coarser_color found last.
+int kept_scale = -1;
+uvec2 kept_tile;
+ivec2 kept_p;
+vec4 kept_color;
 // A stack has hard borders of patches, and no noise beside its colours.
 const int first_level = 1;
 const int noise_size = 0;

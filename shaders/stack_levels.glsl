@@ -13,41 +13,39 @@ void use_levels(int scale) {
   level_count = lists.w;
   value_row = values.x;
   dominant_row = values.y;
-  range_row = values.z;
+  share_row = values.z;
 }
 
-// The mean of a scale's own colours over a block, `share` of their variation left; w: that of the share of the coarser
-// colour that they take.
-vec4 own_block(uvec4 block, uvec2 tile, float share) {
-  vec4 whole = shares_value(base_levels, block, tile);
-  if (share == 1.0f) return whole;
-  int row = value_row;
-  value_row = dominant_row;
-  vec4 dominant = shares_value(base_levels, block, tile);
-  value_row = row;
-  return lerp(dominant, whole, share);
+// What stacked_texel gives of the scale before `scale` at the texel that holds `center`. The last answer is kept: blocks
+// and probes side by side mostly see one fragment. Leaves `scale` in use.
+vec4 coarser_color(int scale, Texel center, float coarser_share) {
+  if (kept_scale == scale && kept_tile.x == center.tile.x && kept_tile.y == center.tile.y && kept_p.x == center.p.x &&
+      kept_p.y == center.p.y)
+    return kept_color;
+  kept_scale = scale;
+  kept_tile = center.tile;
+  kept_p = center.p;
+  kept_color = stacked_texel(scale - 1, coarser_texel(scale, center), coarser_share);
+  use_scale(scale);
+  return kept_color;
 }
 
-// What the fragments under a block take from the coarser scale, each by its share of the block.
-vec4 taken_by_fragments(int scale, uvec4 block, uvec2 tile, float share, float coarser_share) {
+// What the fragments of one entry of a block take from the coarser scale, each by its share of the block. `number` is that
+// of the entry's value.
+vec4 taken_by_fragments(int scale, uint number, uvec2 tile, float share, float coarser_share) {
   PRECISE vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  uint end = block.x + (block.y >> 20u);
-  for (uint entry = block.x; entry <= end; ++entry) {
-    uvec4 owned = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
-    uint number = value_number(entry, uvec2(owned.x, owned.y), tile);
-    uvec4 range = texelFetch(fragment_ranges, ivec2(int(number & 4095u), int(number >> 12u) + range_row), 0);
-    for (uint i = range.x; i < range.x + range.y; ++i) {
-      ivec4 fragment = texelFetch(fragment_shares, ivec2(int(i & 4095u), int(i >> 12u)), 0);
-      vec4 mean = detail_mean(scale, ivec2(fragment.w & 65535, fragment.w >> 16), share);
-      Texel center;
-      center.tile = tile;
-      center.p = ivec2(fragment.x, fragment.y);
-      vec4 coarse = stacked_texel(scale - 1, coarser_texel(scale, center), coarser_share);
-      use_scale(scale);
-      PRECISE vec4 part = (without_w(coarse) - mean) * (coarse.w * uintBitsToFloat(uint(fragment.z)));
-      sum = sum + part;
-    }
-  }
+  int i = int(number) + share_row * 4096;
+  do {
+    ivec4 fragment = texelFetch(fragment_shares, ivec2(i & 4095, i >> 12), 0);
+    vec4 mean = detail_mean(scale, ivec2(fragment.z & 65535, fragment.z >> 16), share);
+    Texel center;
+    center.tile = tile;
+    center.p = ivec2((fragment.x << 16) >> 16, fragment.x >> 16);
+    vec4 coarse = coarser_color(scale, center, coarser_share);
+    PRECISE vec4 part = (without_w(coarse) - mean) * (coarse.w * uintBitsToFloat(uint(fragment.y)));
+    sum = sum + part;
+    i = fragment.w;
+  } while (i > 0);
   return sum;
 }
 
@@ -78,32 +76,55 @@ vec4 coarser_mean(int scale, Texel corner, ivec2 side, float coarser_share) {
   return mean;
 }
 
-// A block of `scale`, which is in use: the mean of what its texels show. Leaves another scale in use.
+// What texels of a block take that is coloured as a whole, less what they replace: by the parts of coarse texels over it,
+// or by what lies between four at its centre. w: the share that is given.
+vec4 taken_as_whole(int scale, Texel block, Grid grid, float share, float coarser_share) {
+  ivec2 side = ivec2(grid.side_256.x >> 8, grid.side_256.y >> 8);
+  Texel corner = block;
+  corner.p = ivec2(block.p.x * side.x, block.p.y * side.y);
+  Position middle;
+  middle.tile = block.tile;
+  middle.offset = ivec2(corner.p.x * 256 + (grid.side_256.x >> 1), corner.p.y * 256 + (grid.side_256.y >> 1));
+  ivec2 around = ivec2(0, 0);
+  if ((transfer_bits & 4) != 0) around = texel_source(texel_at(middle)).nearest;
+  vec4 mean = detail_mean(scale, around, share);
+  vec4 coarse = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  if ((transfer_bits & 3) == 1) coarse = coarser_mean(scale, corner, side, coarser_share);
+  else coarse = coarser_between(scale, middle, coarser_share);
+  vec4 taken = without_w(coarse) - mean;
+  taken.w = coarse.w;
+  return taken;
+}
+
+// A block of `scale`, which is in use: the mean of what its texels show. May leave another scale in use.
 vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
   if (grid.corner.x < 0) return scale_texel(scale, block, variation);
-  uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
   float share = (transfer_bits & 8) != 0 ? 0.0f : variation;
-  vec4 own = own_block(found, block.tile, share);
-  if (scale == 0) return without_w(own);
   float coarser_share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
-  int mode = transfer_bits & 3;
-  vec4 taken;
-  if (mode == 0) {
-    taken = taken_by_fragments(scale, found, block.tile, share, coarser_share);
-  } else {
-    ivec2 side = ivec2(grid.side_256.x >> 8, grid.side_256.y >> 8);
-    Texel corner = block;
-    corner.p = ivec2(block.p.x * side.x, block.p.y * side.y);
-    Position middle;
-    middle.tile = block.tile;
-    middle.offset = ivec2(corner.p.x * 256 + (grid.side_256.x >> 1), corner.p.y * 256 + (grid.side_256.y >> 1));
-    ivec2 around = ivec2(0, 0);
-    if ((transfer_bits & 4) != 0) around = texel_source(texel_at(middle)).nearest;
-    vec4 mean = detail_mean(scale, around, share);
-    vec4 coarse = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-    if (mode == 1) coarse = coarser_mean(scale, corner, side, coarser_share);
-    else coarse = coarser_between(scale, middle, coarser_share);
-    taken = (without_w(coarse) - mean) * (own.w * coarse.w);
+  bool by_fragment = scale > 0 && (transfer_bits & 3) == 0;
+
+  // Shares of the base, of the dominant colours, and of the coarser colours, patch by patch.
+  uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
+  uvec2 owned = uvec2(found.y & 65535u, (found.y >> 16u) & 15u);
+  uint end = found.x + (found.y >> 20u);
+  PRECISE vec4 whole = vec4(0.0f, 0.0f, 0.0f, 0.0f);
+  PRECISE vec4 dominant = whole;
+  PRECISE vec4 taken = whole;
+  for (uint entry = found.x; entry <= end; ++entry) {
+    if (entry > found.x) {
+      uvec4 other = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
+      owned = uvec2(other.x, other.y);
+    }
+    uint number = value_number(entry, owned, block.tile);
+    ivec2 place = ivec2(int(number & 4095u), int(number >> 12u));
+    if (share != 0.0f) whole = whole + texelFetch(base_levels, ivec2(place.x, place.y + value_row), 0);
+    if (share != 1.0f) dominant = dominant + texelFetch(base_levels, ivec2(place.x, place.y + dominant_row), 0);
+    if (by_fragment) taken = taken + taken_by_fragments(scale, number, block.tile, share, coarser_share);
+  }
+  vec4 own = share == 1.0f ? whole : share == 0.0f ? dominant : lerp(dominant, whole, share);
+  if (scale > 0 && !by_fragment) {
+    vec4 coarse = taken_as_whole(scale, block, grid, share, coarser_share);
+    taken = without_w(coarse) * (own.w * coarse.w);
   }
   PRECISE vec4 arrived = without_w(own) + taken;
   return arrived;
@@ -129,7 +150,6 @@ vec4 scale_level(int scale, Position at, int level, float variation, int smooth_
   vec4 lower = left;
   for (int corner = 0; corner < count; ++corner) {
     use_scale(scale);
-    use_levels(scale);
     vec4 value = scale_block(scale, surrounding_block(around.first, grid, corner), grid, variation);
     if ((corner & 1) == 0) left = value;
     else if (corner == 1) upper = lerp(left, value, weight_of(around.fraction.x));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
 #include "libbake/base/parallel.h"
 #include "libbake/eval/program_of.h"
@@ -123,31 +122,41 @@ class Builder {
   std::vector<float> taking_;
 };
 
-glsl::ivec4 texel_of(const Part& part) {
-  return {part.x, part.y, std::bit_cast<int32_t>(static_cast<float>(part.share)), std::bit_cast<int32_t>(part.source)};
+glsl::ivec4 texel_of(const Part& part, uint64_t next) {
+  const uint32_t center = (static_cast<uint32_t>(part.x) & 0xffff) | static_cast<uint32_t>(part.y) << 16;
+  return {std::bit_cast<int32_t>(center), std::bit_cast<int32_t>(static_cast<float>(part.share)),
+          std::bit_cast<int32_t>(part.source), static_cast<int32_t>(next)};
 }
 
 }  // namespace
 
-FragmentShares fragment_shares(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists,
-                               int last_level) {
+Image<glsl::ivec4> fragment_shares(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists,
+                                   int last_level) {
   const Builder builder(scale, planes, lists);
   const auto contents = static_cast<uint64_t>(planes.content_count);
-  FragmentShares result;
-  result.ranges = Image<glsl::FragmentRange>(kListWidth, list_rows(lists.count * contents));
+  std::vector<glsl::ivec4> firsts(static_cast<size_t>(list_rows(lists.count * contents)) * kListWidth, {0, 0, 0, 0});
+  std::vector<glsl::ivec4> others;
   std::vector<Parts> found(1);
   for (size_t i = 1; i <= lists.list_of_level[static_cast<size_t>(last_level)]; ++i) {
-    assert(found.size() == i);
     found.push_back(builder.parts_of(i, found));
     const Parts& parts = found.back();
     // Entries of a list follow one another.
-    glsl::FragmentRange* range = result.ranges.data() + lists.lists[i].first_at({0, 0}) * contents;
-    for (size_t value = 0; value + 1 < parts.first.size(); ++value, ++range) {
-      *range = {static_cast<uint32_t>(result.shares.size()), parts.first[value + 1] - parts.first[value]};
-      for (const Part& part : parts.at(value)) result.shares.push_back(texel_of(part));
+    glsl::ivec4* first = firsts.data() + lists.lists[i].first_at({0, 0}) * contents;
+    for (size_t value = 0; value + 1 < parts.first.size(); ++value, ++first) {
+      const std::span<const Part> under = parts.at(value);
+      for (size_t k = 0; k < under.size(); ++k) {
+        const bool is_last = k + 1 == under.size();
+        const uint64_t next = is_last ? 0 : firsts.size() + others.size() + (k == 0 ? 0 : 1);
+        if (k == 0)
+          *first = texel_of(under[k], next);
+        else
+          others.push_back(texel_of(under[k], next));
+      }
     }
   }
-  return result;
+  Image<glsl::ivec4> image(kListWidth, list_rows(firsts.size() + others.size()), {0, 0, 0, 0});
+  std::copy(others.begin(), others.end(), std::copy(firsts.begin(), firsts.end(), image.begin()));
+  return image;
 }
 
 }  // namespace texbake

@@ -8,14 +8,12 @@
 
 namespace texbake {
 
-struct FragmentShares {
-  Image<glsl::FragmentRange> ranges;  ///< of each value of a level: the same numbers, the same rows
-  std::vector<glsl::ivec4> shares;  ///< centre x, y from the corner of the block's repetition; bits of the float share
-                                    ///< times the share taken; the centre's texel of the tile, x + 65536 y
-};
-
-/// Of levels 1 … `last_level`. `planes` are those of the scale alone, `lists` theirs.
-FragmentShares fragment_shares(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists,
-                               int last_level);
+/// Of levels 1 … `last_level`, as fragment_shares of shaders/stack_bindings.glsl: first those that come first under a
+/// value of a block, at that value's number, then the others, as wide. (centre x + 65536 y from the corner of the
+/// block's repetition, 16 bits each; bits of the float share of the block times the share taken; texel of the tile that
+/// shows at the centre, x + 65536 y; number of the next one, 0 for none.) `planes` are those of the scale alone,
+/// `lists` theirs.
+Image<glsl::ivec4> fragment_shares(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists,
+                                   int last_level);
 
 }  // namespace texbake

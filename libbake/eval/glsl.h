@@ -98,12 +98,6 @@ struct LevelBlock {
   bool operator==(const LevelBlock&) const = default;
 };
 
-/// The fragments under a block of a stack's scale: two 32-bit channels.
-struct FragmentRange {
-  uint32_t first = 0;
-  uint32_t count = 0;
-};
-
 /// The fragment plane of a stack: four 16-bit channels.
 struct FragmentTexel {
   int16_t center_x = 0;  ///< way to the centre of the texel's fragment, in texels
@@ -131,10 +125,6 @@ inline uvec4 texelFetch(const usampler2D& sampler, const ivec2& p, int /*level*/
 inline uvec4 texelFetch(const Sampler<MaskTexel>& sampler, const ivec2& p, int /*level*/) {
   const uint16_t* weights = texel_at_index(sampler, p).weights;
   return {weights[0], weights[1], weights[2], weights[3]};
-}
-inline uvec4 texelFetch(const Sampler<FragmentRange>& sampler, const ivec2& p, int /*level*/) {
-  const FragmentRange& range = texel_at_index(sampler, p);
-  return {range.first, range.count, 0, 1};
 }
 inline uvec4 texelFetch(const Sampler<LevelBlock>& sampler, const ivec2& p, int /*level*/) {
   const LevelBlock& block = texel_at_index(sampler, p);

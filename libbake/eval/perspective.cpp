@@ -13,7 +13,6 @@ namespace texbake {
 namespace {
 
 using glsl::PerspectiveProgram;
-using glsl::Position;
 using glsl::sampler2D;
 using glsl::Sight;
 using glsl::vec4;
@@ -35,11 +34,6 @@ struct Drawn {
     return program.probes_value(texels, kind, levels, sight.probes);
   }
 };
-
-Position below(const Perspective& view) {
-  return {{view.origin_x.tile, view.origin_y.tile},
-          {static_cast<int>(view.origin_x.offset_256), static_cast<int>(view.origin_y.offset_256)}};
-}
 
 vec4 sky_of(const Perspective& view, const Plane& plane, const EvaluatorPlanes& planes) {
   if (&plane != &planes.base) return {0, 0, 0, 0};
@@ -99,7 +93,7 @@ Image<V3f> render_perspective_rows(const EvaluatorPlanes& planes, const Plane& p
     PerspectiveProgram program = shared;
     for (int i = 0; i < rows.width(); ++i) {
       const Sight sight =
-          program.sight_at(below(view), static_cast<float>(i) + 0.5f, static_cast<float>(row_begin + j) + 0.5f);
+          program.sight_at(point_below(view), static_cast<float>(i) + 0.5f, static_cast<float>(row_begin + j) + 0.5f);
       rows(i, j) = sight.hits ? color_of(drawn.value(program, sight)) : sky;
     }
   });
@@ -123,7 +117,7 @@ Image<V3f> supersampled_perspective_rows(const EvaluatorPlanes& planes, const Pl
       Imath::V3d sum(0);
       for (int l = 0; l < samples; ++l)
         for (int k = 0; k < samples; ++k) {
-          const Sight sight = program.sight_at(below(view), place(i, k), place(row_begin + j, l));
+          const Sight sight = program.sight_at(point_below(view), place(i, k), place(row_begin + j, l));
           sum += Imath::V3d(sight.hits ? color_of(drawn.value(program, sight)) : sky);
         }
       rows(i, j) = V3f(sum / (double{1} * samples * samples));
@@ -141,7 +135,8 @@ Frame perspective_frame(const EvaluatorPlanes& planes, const Plane& plane, const
   parallel_for(0, view.height, [&](int j) {
     PerspectiveProgram program = shared;
     for (int i = 0; i < view.width; ++i) {
-      const Sight sight = program.sight_at(below(view), static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f);
+      const Sight sight =
+          program.sight_at(point_below(view), static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f);
       if (!sight.hits) continue;
       frame.values(i, j) = drawn.value(program, sight);
       const glsl::Probes& probes = sight.probes;

@@ -26,6 +26,8 @@ enum class MapKind {
   normal_directx,  ///< the same; +y points down
   height,          ///< relief, which shrinks with a content that is shown smaller
   structure,       ///< the base, where noise is added to it
+  relief_opengl,   ///< a height, and a vector that turns with the content; +y points up in the picture
+  relief_directx,  ///< the same; +y points down
 };
 
 /// A map to prepare. Views are borrowed during `prepare` only.

@@ -44,10 +44,9 @@ struct Program {
   sampler2D class_table;
   sampler2D mean_table;
   sampler2D base_levels;
-  Sampler<FragmentRange> fragment_ranges;
   isampler2D fragment_shares;
   int dominant_row = 0;
-  int range_row = 0;
+  int share_row = 0;
   int scale_count = 1;
   uint stack_seed = 0;
   uvec4 nesting[8] = {};
@@ -55,11 +54,20 @@ struct Program {
   int ratio = 1;
   int first_class = 0;
   int transfer_bits = 0;
+  int kept_scale = -1;
+  uvec2 kept_tile{0, 0};
+  ivec2 kept_p{0, 0};
+  vec4 kept_color{0, 0, 0, 0};
 
   // Relief.
   sampler2D height_plane;
   vec4 relief_range{0, 0, 0, 0};
   ivec2 relief_steps{1, 0};
+  sampler2D height_levels;
+  float relief_depth = 0;
+  vec4 relief_light{0, 0, 1, 0};
+  int relief_kind = 0;
+  int relief_level = 0;
 
 #define PRECISE
 #include "shaders/hash.glsl"

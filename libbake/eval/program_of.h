@@ -45,6 +45,10 @@ inline int plane_kind(MapKind kind) {
       return 3;
     case MapKind::structure:
       return 4;
+    case MapKind::relief_opengl:
+      return 5;
+    case MapKind::relief_directx:
+      return 6;
     case MapKind::plain:
       break;
   }

@@ -47,6 +47,7 @@ Relief::Relief(const EvaluatorPlanes& planes, const ReliefOptions& options, cons
 
 void Relief::bind(glsl::Program& program) const {
   program.height_plane = sampler_of(height_->texels);
+  program.height_levels = sampler_of(height_->level_values);
   program.relief_range = range_;
   program.relief_steps = {options_.linear_steps, options_.binary_steps};
 }

@@ -32,8 +32,8 @@ Image<float> taking_of(const StackScale& scale) {
 
 /// The planes of one scale with the levels that it needs in a stack.
 struct LeveledScale {
-  EvaluatorPlanes planes;  ///< base: with its gains; map 0: the dominant colours, where there is a coarser scale
-  FragmentShares shares;
+  EvaluatorPlanes planes;     ///< base: with its gains; map 0: the dominant colours, where there is a coarser scale
+  Image<glsl::ivec4> shares;  ///< of fragments; empty where they pass no colours
   int level_count = 0;
 };
 
@@ -60,18 +60,10 @@ LeveledScale leveled(const StackScale& scale) {
   return leveled;
 }
 
-/// The lists of fragments of all scales one after the other, their ranges one below the other.
-void add_fragments(StackPlanes& stack, std::vector<LeveledScale>& scales) {
-  std::vector<const Image<glsl::FragmentRange>*> ranges;
-  std::vector<glsl::ivec4> shares;
-  for (LeveledScale& scale : scales) {
-    for (glsl::FragmentRange& range : scale.shares.ranges) range.first += static_cast<uint32_t>(shares.size());
-    shares.insert(shares.end(), scale.shares.shares.begin(), scale.shares.shares.end());
-    ranges.push_back(&scale.shares.ranges);
-  }
-  stack.fragment_ranges = stacked(ranges, glsl::FragmentRange{});
-  stack.fragment_shares = Image<glsl::ivec4>(kListWidth, std::max(1, list_rows(shares.size())), {0, 0, 0, 0});
-  std::copy(shares.begin(), shares.end(), stack.fragment_shares.begin());
+/// Numbers of next fragments count from the top of all scales.
+void count_from(Image<glsl::ivec4>& shares, int row) {
+  for (glsl::ivec4& fragment : shares)
+    if (fragment.w > 0) fragment.w += row * kListWidth;
 }
 
 }  // namespace
@@ -87,21 +79,24 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
   std::vector<const Image<glsl::LevelBlock>*> blocks;
   std::vector<const Image<glsl::PatchTexel>*> entries;
   std::vector<const Image<glsl::vec4>*> values;
-  int level_row = 0, block_row = 0, entry_row = 0, value_row = 0, range_row = 0;
+  std::vector<const Image<glsl::ivec4>*> shares;
+  int level_row = 0, block_row = 0, entry_row = 0, value_row = 0, share_row = 0;
   for (size_t s = 0; s < scales.size(); ++s) {
-    const LeveledScale& scale = leveled_scales[s];
+    LeveledScale& scale = leveled_scales[s];
+    count_from(scale.shares, share_row);
     stack.scale_table(2, static_cast<int>(s)) = {level_row, block_row, entry_row, scale.level_count};
     stack.scale_table(3, static_cast<int>(s)).x = value_row;
-    stack.scale_table(3, static_cast<int>(s)).z = range_row;
+    stack.scale_table(3, static_cast<int>(s)).z = share_row;
     tables.push_back(&scale.planes.level_table);
     blocks.push_back(&scale.planes.level_blocks);
     entries.push_back(&scale.planes.level_entries);
     values.push_back(&scale.planes.base.level_values);
+    shares.push_back(&scale.shares);
     level_row += tables.back()->height();
     block_row += blocks.back()->height();
     entry_row += entries.back()->height();
     value_row += values.back()->height();
-    range_row += scale.shares.ranges.height();
+    share_row += scale.shares.height();
   }
   for (size_t s = 1; s < scales.size(); ++s) {
     stack.scale_table(3, static_cast<int>(s)).y = value_row;
@@ -112,14 +107,13 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
   stack.level_blocks = stacked(blocks, glsl::LevelBlock{});
   stack.level_entries = stacked(entries, glsl::PatchTexel{});
   stack.base_levels = stacked(values, glsl::vec4{0, 0, 0, 0});
-  add_fragments(stack, leveled_scales);
+  stack.fragment_shares = stacked(shares, glsl::ivec4{0, 0, 0, 0});
 }
 
 StackLevelMemory level_memory(const StackPlanes& stack) {
-  return {stack.base_levels.size() * sizeof(glsl::vec4),
-          stack.level_blocks.size() * sizeof(glsl::LevelBlock) + stack.level_entries.size() * sizeof(glsl::PatchTexel) +
-              stack.fragment_ranges.size() * sizeof(glsl::FragmentRange) +
-              stack.fragment_shares.size() * sizeof(glsl::ivec4)};
+  return {stack.base_levels.size() * sizeof(glsl::vec4), stack.level_blocks.size() * sizeof(glsl::LevelBlock) +
+                                                             stack.level_entries.size() * sizeof(glsl::PatchTexel) +
+                                                             stack.fragment_shares.size() * sizeof(glsl::ivec4)};
 }
 
 }  // namespace texbake

@@ -227,7 +227,6 @@ glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 r
   program.level_blocks = sampler_of(planes.level_blocks);
   program.level_entries = sampler_of(planes.level_entries);
   program.base_levels = sampler_of(planes.base_levels);
-  program.fragment_ranges = sampler_of(planes.fragment_ranges);
   program.fragment_shares = sampler_of(planes.fragment_shares);
   program.scale_count = planes.scale_count();
   program.stack_seed = seed;

@@ -35,7 +35,6 @@ struct StackPlanes {
   Image<glsl::LevelBlock> level_blocks;
   Image<glsl::PatchTexel> level_entries;
   Image<glsl::vec4> base_levels;
-  Image<glsl::FragmentRange> fragment_ranges;
   Image<glsl::ivec4> fragment_shares;
 
   int scale_count() const { return static_cast<int>(sizes.size()); }

@@ -1,7 +1,7 @@
 // Windows by brute force: the mean of many points of every pixel. The truth that filters are measured by.
 #pragma once
 
-#include "libbake/eval/window.h"
+#include "libbake/eval/stack_window.h"
 
 namespace texbake {
 
@@ -10,5 +10,10 @@ namespace texbake {
 /// is nearest, else bilinear. With nearest and as many samples as texels, a pixel is the box mean of its texels.
 Image<V3f> supersampled_rows(const EvaluatorPlanes& planes, const Plane& plane, const Window& window, int samples,
                              int row_begin, int row_end);
+
+/// The same of a stack, whose window counts in texels of the finest scale: points of level 0 of the scales that show at
+/// its step, faded as they are there.
+Image<V3f> supersampled_stack_rows(const StackPlanes& planes, const Window& window, int samples, int row_begin,
+                                   int row_end);
 
 }  // namespace texbake

@@ -254,6 +254,8 @@ Image<V3f> render_map_rows(const EvaluatorPlanes& planes, const Plane& map, cons
       return draw_with(
           [=](RowProgram& p, const Texel& texel) { return p.layered_value(plane, texel, p.texel_source(texel)); });
     case MapKind::plain:
+    case MapKind::relief_opengl:
+    case MapKind::relief_directx:
       break;
   }
   return draw_with([=](RowProgram& p, const Texel& texel) { return p.source_value(plane, p.texel_source(texel)); });

@@ -18,19 +18,32 @@ void place(const Image<glsl::vec4>& tile, V2i at, Image<V3f>& rows) {
     }
 }
 
-}  // namespace
-
-Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
-                   int row_begin, int row_end) {
-  check_window(window, planes.size);
+/// draw(part) for parts of rows of the window.
+template <class Draw>
+Image<V3f> rows_of(const Window& window, V2i tile_size, int row_begin, int row_end, const Draw& draw) {
+  check_window(window, tile_size);
   Image<V3f> rows(window.width, row_end - row_begin);
   for (int y = 0; y < rows.height(); y += kTileSide)
     for (int x = 0; x < rows.width(); x += kTileSide) {
       const V2i size(std::min(kTileSide, rows.width() - x), std::min(kTileSide, rows.height() - y));
-      const Window tile = part_of(window, planes.size, {x, row_begin + y}, size);
-      place(renderer.draw(tile, plane).values, {x, y}, rows);
+      place(draw(part_of(window, tile_size, {x, row_begin + y}, size)).values, {x, y}, rows);
     }
   return rows;
+}
+
+}  // namespace
+
+Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
+                   int row_begin, int row_end) {
+  return rows_of(window, planes.size, row_begin, row_end,
+                 [&](const Window& part) { return renderer.draw(part, plane); });
+}
+
+Image<V3f> gl_rows(GlStackRenderer& renderer, const StackPlanes& planes, const Window& window, int row_begin,
+                   int row_end) {
+  const ScaleView view = scale_view(planes, window);
+  return rows_of(window_in_scale(planes, window, view.scale), planes.sizes[static_cast<size_t>(view.scale)], row_begin,
+                 row_end, [&](const Window& part) { return renderer.draw(part, view); });
 }
 
 }  // namespace texbake

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libbake/gl/gl_renderer.h"
+#include "libbake/gl/gl_stack_renderer.h"
 
 namespace texbake {
 
@@ -9,5 +10,9 @@ namespace texbake {
 /// base or one of its maps, and `planes` those that the renderer was made with.
 Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
                    int row_begin, int row_end);
+
+/// The same of a stack, as render_stack_rows gives them: the levels of `planes` were added where the window needs them.
+Image<V3f> gl_rows(GlStackRenderer& renderer, const StackPlanes& planes, const Window& window, int row_begin,
+                   int row_end);
 
 }  // namespace texbake

@@ -1,5 +1,6 @@
 #include "libbake/gl/perspective_parity.h"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -49,6 +50,20 @@ PerspectiveParity check_perspective_parity(const EvaluatorPlanes& planes, const 
   for (const Perspective& view : telling_views()) {
     add(parity, perspective_frame(planes, planes.base, view), renderer.draw(view, planes.base));
     for (const Plane& map : planes.maps) add(parity, perspective_frame(planes, map, view), renderer.draw(view, map));
+  }
+  return parity;
+}
+
+PerspectiveParity check_stack_perspective_parity(const StackPlanes& planes, const ReliefPlanes* relief,
+                                                 const GlContext& context) {
+  GlStackRenderer renderer(context, planes, stack_perspective_fragment_shader(context.language()), relief);
+  PerspectiveParity parity;
+  const std::vector<Perspective> views = telling_views();
+  for (size_t i = 0; i < views.size(); ++i) {
+    Perspective view = views[i];
+    const int scale = static_cast<int>(i / 2) % planes.scale_count();
+    view.height_texels = std::min(1e6, view.height_texels * static_cast<double>(planes.texels_in(scale)));
+    add(parity, stack_perspective_frame(planes, relief, view), renderer.draw(view, 0, view.height));
   }
   return parity;
 }

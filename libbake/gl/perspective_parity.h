@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "libbake/gl/gl_renderer.h"
+#include "libbake/gl/gl_stack_renderer.h"
 
 namespace texbake {
 
@@ -23,5 +24,10 @@ struct PerspectiveParity {
 
 /// Views from near and far, with all filters, of base and maps of `planes`, whose levels were added.
 PerspectiveParity check_perspective_parity(const EvaluatorPlanes& planes, const GlContext& context);
+
+/// The same of a stack, from heights at which each of its scales shows; with the relief of its coarsest scale where
+/// that is given.
+PerspectiveParity check_stack_perspective_parity(const StackPlanes& planes, const ReliefPlanes* relief,
+                                                 const GlContext& context);
 
 }  // namespace texbake

@@ -6,7 +6,8 @@
 
 #include "gl_test_context.h"
 #include "libbake/eval/levels.h"
-#include "tests/libbake/eval/small_tile.h"
+#include "libbake/eval/stack_levels.h"
+#include "tests/libbake/eval/small_stack.h"
 
 namespace texbake {
 namespace {
@@ -26,6 +27,50 @@ TEST(PerspectiveParity, TheShaderSeesTheSamePlane) {
     std::printf("%llu sights differ\n", static_cast<unsigned long long>(parity.differing_sights));
     EXPECT_TRUE(parity.equal()) << parity.differing_sights << " sights, " << parity.differing_values << " values of "
                                 << parity.pixels << " on " << context->description();
+  }
+}
+
+TEST(PerspectiveParity, TheShaderSeesTheSameStack) {
+  SmallStack stack = two_scales({.ratio = 5}, Contents::turned);
+  stack.add(random_scale({48, 40}, 5, Contents::moved, 8), {.ratio = 8, .detail_mean = DetailMean::local});
+  StackPlanes planes = stack.planes();
+  add_levels(planes, stack.scales());
+  for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
+    const auto context = test_context(language);
+    if (!context) GTEST_SKIP() << "no OpenGL";
+    const PerspectiveParity parity = check_stack_perspective_parity(planes, nullptr, *context);
+    std::printf("%llu sights of a stack differ\n", static_cast<unsigned long long>(parity.differing_sights));
+    EXPECT_TRUE(parity.equal()) << parity.differing_sights << " sights, " << parity.differing_values << " values of "
+                                << parity.pixels << " on " << context->description();
+  }
+}
+
+TEST(PerspectiveParity, TheShaderSeesTheSameRelief) {
+  SmallStack stack = two_scales({.ratio = 5}, Contents::turned);
+  StackPlanes planes = stack.planes();
+  add_levels(planes, stack.scales());
+  // Waves of height, and normals that need not be theirs.
+  Image<float> height(32, 16), normal[3] = {{32, 16}, {32, 16}, {32, 16}};
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 32; ++x) {
+      height(x, y) = static_cast<float>((x * 3 + y * 5) % 16) / 16;
+      normal[0](x, y) = static_cast<float>(x % 5 - 2) / 4;
+      normal[1](x, y) = static_cast<float>(y % 3 - 1) / 4;
+      normal[2](x, y) = 0.75f;
+    }
+  EvaluatorInput input = stack.tiles.front().input();
+  input.maps.push_back({"height", MapKind::height, {height}});
+  input.maps.push_back({"normal", MapKind::normal_opengl, {normal[0], normal[1], normal[2]}});
+  for (const ShadeBy shade_by : {ShadeBy::height, ShadeBy::normal}) {
+    const ReliefPlanes relief = relief_planes(input, {.depth_px = 3, .shade_by = shade_by}, {-1, -0.5f, 1});
+    for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
+      const auto context = test_context(language);
+      if (!context) GTEST_SKIP() << "no OpenGL";
+      const PerspectiveParity parity = check_stack_perspective_parity(planes, &relief, *context);
+      std::printf("%llu sights of relief differ\n", static_cast<unsigned long long>(parity.differing_sights));
+      EXPECT_TRUE(parity.equal()) << parity.differing_sights << " sights, " << parity.differing_values << " values of "
+                                  << parity.pixels << " on " << context->description();
+    }
   }
 }
 
