@@ -28,6 +28,18 @@ Image<T> reduce(ImageView<const T> image, int factor) {
   return reduced;
 }
 
+// The best of the candidates found at reduced size, and those that full-size candidates as far apart as asked for may
+// grow from: the best alone leave too few of these.
+Candidates promising(const Candidates& reduced, int factor, V2i reduced_size, const SearchRequest& request) {
+  const auto count = std::min<size_t>(reduced.size(), kRefinedNeighbourhoods);
+  Candidates chosen(reduced.begin(), reduced.begin() + static_cast<ptrdiff_t>(count));
+  const Candidates apart =
+      take_separated(reduced, reduced_size, {request.count, (request.separation_px + factor - 1) / factor, {}});
+  for (const Candidate& candidate : apart)
+    if (std::find(chosen.begin(), chosen.end(), candidate) == chosen.end()) chosen.push_back(candidate);
+  return chosen;
+}
+
 // How many of the candidates found at reduced size are far enough apart at full size.
 int reachable_count(Candidates reduced, int factor, V2i size, const SearchRequest& request) {
   for (Candidate& candidate : reduced) candidate.translation *= factor;
@@ -68,12 +80,14 @@ SearchResult search_contents_refined(ImageView<const uint8_t> classes, const Cla
   // Search the reduced tile. A finer separation there lets the best region of the full search move between candidates.
   const Image<uint8_t> small_classes = reduce(classes, factor);
   const Image<uint32_t> small_patches = reduce(patch_idx, factor);
-  const SearchRequest small_request{std::max(kRefinedNeighbourhoods, request.count),
+  const SearchRequest small_request{static_cast<int>(small_classes.size()),
                                     std::max(request.separation_px / (kFinerSeparation * factor), 1)};
-  const SearchResult small = search_contents(small_classes, distances, patch_borders(small_patches, patch_count),
-                                             small_request, [&](double done) { report(progress, 0.5 * done); });
+  SearchResult small = search_contents(small_classes, distances, patch_borders(small_patches, patch_count),
+                                       small_request, [&](double done) { report(progress, 0.5 * done); });
 
   // Rank what lies around the best again, exactly.
+  const V2i small_size(small_classes.width(), small_classes.height());
+  for (Candidates& candidates : small.candidates) candidates = promising(candidates, factor, small_size, request);
   const V2i size(classes.width(), classes.height());
   SearchRequest reachable = request;
   for (const Candidates& candidates : small.candidates)

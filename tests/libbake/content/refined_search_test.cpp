@@ -50,6 +50,13 @@ TEST(RefinedSearch, GivesExactErrorsFarApart) {
   }
 }
 
+TEST(RefinedSearch, FindsAsManyAsAskedForThoughTheBestStandTogether) {
+  LongTile tile;
+  tile.request.count = 100;
+  const SearchResult found = search_contents_refined(tile.classes, tile.distances, tile.patches, 2, tile.request);
+  for (const Candidates& candidates : found.candidates) EXPECT_EQ(candidates.size(), 100u);
+}
+
 TEST(RefinedSearch, FindsWhatTheExactSearchFindsBest) {
   const LongTile tile;
   const SearchResult refined = search_contents_refined(tile.classes, tile.distances, tile.patches, 2, tile.request);
