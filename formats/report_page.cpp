@@ -54,7 +54,7 @@ std::string number_text(double value) {
   if (size >= 100) return fmt::format("{:.0f}", value);
   if (size >= 10) return fmt::format("{:.1f}", value);
   if (size >= 1) return fmt::format("{:.2f}", value);
-  return fmt::format("{:.3f}", value);
+  return fmt::format("{:.3f}", size < 0.0005 ? 0.0 : value);  // no -0.000
 }
 
 std::string pill(std::string_view name, std::string_view text) {

@@ -14,8 +14,8 @@ constexpr const char* kBandAdvice =
     "more patches with smaller shapes (patch --count), or a larger choice (select-contents --candidates)";
 constexpr const char* kCloseAdvice = "convert with --periodic make, or take a photograph that tiles";
 constexpr const char* kSeamAdvice =
-    "fewer patches (patch --count), borders along features (fragment --threshold), or fewer contents "
-    "(select-contents --count)";
+    "a softer border (select-contents --soft-border), fewer patches (patch --count), borders along features (fragment "
+    "--threshold), or fewer contents (select-contents --count)";
 constexpr const char* kNoiseAdvice = "decompose with a smaller --local-size, or --noises for another number of noises";
 
 constexpr MeasureKind kKinds[] = {
