@@ -45,4 +45,14 @@ Image<glsl::vec4> box_means(const Image<V3f>& tile, int side) {
   return means;
 }
 
+Image<Imath::V3d> halved(const Image<Imath::V3d>& finer) {
+  Image<Imath::V3d> coarser(finer.width() / 2, finer.height() / 2);
+  for (int y = 0; y < coarser.height(); ++y)
+    for (int x = 0; x < coarser.width(); ++x)
+      coarser(x, y) =
+          (finer(2 * x, 2 * y) + finer(2 * x + 1, 2 * y) + finer(2 * x, 2 * y + 1) + finer(2 * x + 1, 2 * y + 1)) *
+          0.25;
+  return coarser;
+}
+
 }  // namespace texbake

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "libbake/base/parallel.h"
+#include "libbake/eval/box_mean.h"
 #include "libbake/eval/program_of.h"
 
 namespace texbake {
@@ -15,17 +16,6 @@ using glsl::vec4;
 using Imath::V3d;
 
 V3d color_of(const vec4& v) { return {double{v.x}, double{v.y}, double{v.z}}; }
-
-/// Means of 2 × 2 neighbours.
-Image<V3d> halved(const Image<V3d>& finer) {
-  Image<V3d> coarser(finer.width() / 2, finer.height() / 2);
-  for (int y = 0; y < coarser.height(); ++y)
-    for (int x = 0; x < coarser.width(); ++x)
-      coarser(x, y) =
-          (finer(2 * x, 2 * y) + finer(2 * x + 1, 2 * y) + finer(2 * x, 2 * y + 1) + finer(2 * x + 1, 2 * y + 1)) *
-          0.25;
-  return coarser;
-}
 
 /// Levels at which both sides are halved, as mip chains are.
 int halvings_of(V2i size) {

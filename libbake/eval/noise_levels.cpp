@@ -3,24 +3,11 @@
 #include <vector>
 
 #include "libbake/base/half.h"
+#include "libbake/eval/box_mean.h"
 
 namespace texbake {
-namespace {
 
 using Imath::V3d;
-
-/// Means of 2 × 2 neighbours.
-Image<V3d> halved(const Image<V3d>& finer) {
-  Image<V3d> coarser(finer.width() / 2, finer.height() / 2);
-  for (int y = 0; y < coarser.height(); ++y)
-    for (int x = 0; x < coarser.width(); ++x)
-      coarser(x, y) =
-          (finer(2 * x, 2 * y) + finer(2 * x + 1, 2 * y) + finer(2 * x, 2 * y + 1) + finer(2 * x + 1, 2 * y + 1)) *
-          0.25;
-  return coarser;
-}
-
-}  // namespace
 
 void fill_noise_levels(Image<glsl::vec4>& noise_tiles, int size, int first_row) {
   std::vector<Image<V3d>> levels;
