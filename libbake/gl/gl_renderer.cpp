@@ -5,6 +5,7 @@
 
 #include "libbake/eval/perspective_program.h"
 #include "libbake/gl/gl_objects.h"
+#include "libbake/gl/gl_view.h"
 
 namespace texbake {
 namespace {
@@ -130,16 +131,7 @@ struct GlRenderer::State {
     gl.Uniform1i(program.uniform("level_256"), level_256_of(window, planes.level_count));
   }
 
-  void set_view(const Perspective& view, const V3f& sky) {
-    const PerspectiveRays rays = rays_of(view);
-    const auto set = [&](const char* name, const glsl::vec3& v) { gl.Uniform3f(program.uniform(name), v.x, v.y, v.z); };
-    set("view_corner", rays.corner);
-    set("view_right", rays.right);
-    set("view_down", rays.down);
-    gl.Uniform1f(program.uniform("view_height"), rays.height);
-    gl.Uniform1i(program.uniform("view_filter"), view_filter(view.filter));
-    gl.Uniform4f(program.uniform("sky"), sky.x, sky.y, sky.z, 0);
-  }
+  void set_view(const Perspective& view, const V3f& sky) { set_perspective(gl, program, view, sky); }
 
   /// Makes the target, the program and the textures current.
   void begin(int width, int height, const Plane& plane) {

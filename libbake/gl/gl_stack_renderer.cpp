@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "libbake/gl/gl_objects.h"
+#include "libbake/gl/gl_view.h"
 
 namespace texbake {
 namespace {
@@ -92,16 +93,7 @@ struct GlStackRenderer::State {
     gl.Uniform1f(program.uniform("variation"), view.variation);
   }
 
-  void set_view(const Perspective& view) {
-    const PerspectiveRays rays = rays_of(view);
-    const auto set = [&](const char* name, const glsl::vec3& v) { gl.Uniform3f(program.uniform(name), v.x, v.y, v.z); };
-    set("view_corner", rays.corner);
-    set("view_right", rays.right);
-    set("view_down", rays.down);
-    gl.Uniform1f(program.uniform("view_height"), rays.height);
-    gl.Uniform1i(program.uniform("view_filter"), static_cast<int>(view.filter));
-    gl.Uniform4f(program.uniform("sky"), view.sky.x, view.sky.y, view.sky.z, 0);
-  }
+  void set_view(const Perspective& view) { set_perspective(gl, program, view, view.sky); }
 
   void set_relief() {
     const auto set = [&](const char* name, const glsl::vec4& v) {
