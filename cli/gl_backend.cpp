@@ -28,7 +28,7 @@ struct StackDrawer {
   GlContext context;
   GlStackRenderer renderer;
   StackDrawer(const StackPlanes& planes, const std::optional<int>& device, const std::string& fragment_shader,
-              const ReliefPlanes* relief = nullptr)
+              const ReliefPlanes* relief)
       : context(context_options(GlLanguage::core, device)), renderer(context, planes, fragment_shader, relief) {}
 };
 
@@ -45,17 +45,25 @@ std::vector<LanguageParity> in_languages(GlLanguage language, const std::optiona
 
 }  // namespace
 
-std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
-                                      const std::optional<int>& device, const ParityOptions& options) {
+std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, const std::optional<TileRelief>& relief,
+                                      GlLanguage language, const std::optional<int>& device,
+                                      const ParityOptions& options) {
   return in_languages(language, device, [&](GlLanguage one, const GlContext& context) -> LanguageParity {
-    return {one, check_parity(planes, context, options), check_perspective_parity(planes, context)};
+    LanguageParity parity{one, check_parity(planes, context, options), check_perspective_parity(planes, context)};
+    if (!relief) return parity;
+    parity.perspective += check_stack_perspective_parity(relief->stack, &relief->relief, context);
+    parity.relief = check_relief_parity(relief->stack, relief->relief, context);
+    return parity;
   });
 }
 
 std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, const ReliefPlanes* relief, GlLanguage language,
                                             const std::optional<int>& device, const ParityOptions& options) {
   return in_languages(language, device, [&](GlLanguage one, const GlContext& context) -> LanguageParity {
-    return {one, check_stack_parity(planes, context, options), check_stack_perspective_parity(planes, relief, context)};
+    LanguageParity parity{one, check_stack_parity(planes, context, options),
+                          check_stack_perspective_parity(planes, relief, context)};
+    if (relief) parity.relief = check_relief_parity(planes, *relief, context);
+    return parity;
   });
 }
 
@@ -75,11 +83,13 @@ DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const 
   };
 }
 
-DrawRows gl_stack_row_drawer(const StackPlanes& planes, const Window& window, const std::optional<int>& device,
+DrawRows gl_stack_row_drawer(const StackPlanes& planes, const ReliefPlanes* relief, const Direction& viewer,
+                             const Window& window, const std::optional<int>& device,
                              std::shared_ptr<const void> keeper) {
-  const auto drawer = std::make_shared<StackDrawer>(planes, device, stack_fragment_shader(ShaderLanguage::glsl_330));
-  return [drawer, &planes, window, keeper](int begin, int end) {
-    return gl_rows(drawer->renderer, planes, window, begin, end);
+  const auto drawer =
+      std::make_shared<StackDrawer>(planes, device, stack_fragment_shader(ShaderLanguage::glsl_330), relief);
+  return [drawer, &planes, viewer, window, keeper](int begin, int end) {
+    return gl_rows(drawer->renderer, planes, viewer, window, begin, end);
   };
 }
 
@@ -103,8 +113,8 @@ namespace {
 
 }  // namespace
 
-std::vector<LanguageParity> gl_parity(const EvaluatorPlanes&, GlLanguage, const std::optional<int>&,
-                                      const ParityOptions&) {
+std::vector<LanguageParity> gl_parity(const EvaluatorPlanes&, const std::optional<TileRelief>&, GlLanguage,
+                                      const std::optional<int>&, const ParityOptions&) {
   refuse();
 }
 
@@ -117,8 +127,8 @@ DrawRows gl_row_drawer(const EvaluatorPlanes&, const Plane&, const Window&, cons
 DrawRows gl_row_drawer(const EvaluatorPlanes&, const Plane&, const Perspective&, const std::optional<int>&) {
   refuse();
 }
-DrawRows gl_stack_row_drawer(const StackPlanes&, const Window&, const std::optional<int>&,
-                             std::shared_ptr<const void>) {
+DrawRows gl_stack_row_drawer(const StackPlanes&, const ReliefPlanes*, const Direction&, const Window&,
+                             const std::optional<int>&, std::shared_ptr<const void>) {
   refuse();
 }
 DrawRows gl_stack_row_drawer(const StackPlanes&, const ReliefPlanes*, const Perspective&, const std::optional<int>&,

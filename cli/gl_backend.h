@@ -56,16 +56,25 @@ struct LanguageParity {
   GlLanguage language = GlLanguage::core;
   ParityReport report;
   PerspectiveParity perspective = {};
+  PerspectiveParity relief = {};  ///< windows with relief; nothing where there is none
 
-  bool equal() const { return report.equal() && perspective.equal(); }
+  bool equal() const { return report.equal() && perspective.equal() && relief.equal(); }
 };
 
-/// Compares the evaluator with the shader in each language. Throws Error(unsupported) where there is no OpenGL, it is
-/// too old, or this texbake was built without it. The levels of `planes` were added.
-std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, GlLanguage language,
-                                      const std::optional<int>& device, const ParityOptions& options);
+/// A tile with heights, as a stack of one scale, whose levels were added.
+struct TileRelief {
+  const StackPlanes& stack;
+  const ReliefPlanes& relief;
+};
 
-/// The same for all scales of a stack together; in perspective with the relief of the coarsest, where it is given.
+/// Compares the evaluator with the shader in each language, with relief too where it is given. Throws
+/// Error(unsupported) where there is no OpenGL, it is too old, or this texbake was built without it. The levels of
+/// `planes` were added.
+std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, const std::optional<TileRelief>& relief,
+                                      GlLanguage language, const std::optional<int>& device,
+                                      const ParityOptions& options);
+
+/// The same for all scales of a stack together; with the relief of the coarsest, where it is given.
 std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, const ReliefPlanes* relief, GlLanguage language,
                                             const std::optional<int>& device, const ParityOptions& options);
 
@@ -79,8 +88,10 @@ DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const 
 DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
                        const std::optional<int>& device);
 
-/// The same of all scales of a stack; `keeper` lives as long as what is returned.
-DrawRows gl_stack_row_drawer(const StackPlanes& planes, const Window& window, const std::optional<int>& device,
+/// The same of all scales of a stack, with the relief of the coarsest where it is given, seen from `viewer` in a
+/// window; `keeper` lives as long as what is returned.
+DrawRows gl_stack_row_drawer(const StackPlanes& planes, const ReliefPlanes* relief, const Direction& viewer,
+                             const Window& window, const std::optional<int>& device,
                              std::shared_ptr<const void> keeper);
 DrawRows gl_stack_row_drawer(const StackPlanes& planes, const ReliefPlanes* relief, const Perspective& view,
                              const std::optional<int>& device, std::shared_ptr<const void> keeper);

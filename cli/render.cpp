@@ -129,8 +129,6 @@ void check_relief(const Request& request) {
   if (request.map || request.options.show != Show::color)
     throw Error(ErrorKind::usage, "--relief: the texture is lit; expected no --map and no --show beside it");
   if (request.view.view == View::plane) return;
-  if (request.gl.backend == Backend::gl)
-    throw Error(ErrorKind::usage, "--relief: expected --backend cpu or --view plane, found gl and a flat window");
   if (request.view.supersample > 1)
     throw Error(ErrorKind::usage, "--supersample: expected --view plane beside --relief, found a flat window");
 }

@@ -19,26 +19,10 @@ struct Stack {
   explicit Stack(const Bundle& bundle) : scales(stack_input(bundle)), planes(prepare_stack(scales)) {}
 };
 
-/// The planes of the coarsest scale and their relief; a stack's borders of patches are hard.
-struct Surface {
-  EvaluatorPlanes planes;
-  Relief relief;
-
-  Surface(const Scale& scale, const ReliefOptions& options, const SlantOptions& slant)
-      : planes(prepare(hard(evaluator_input(scale)))), relief(planes, options, parse_direction("light", slant.light)) {}
-  static EvaluatorInput hard(EvaluatorInput input) {
-    input.soft_border_px = 0;
-    return input;
-  }
-};
-
-DrawRows relief_drawer(const Bundle& bundle, const StackPicture& picture, const std::shared_ptr<Stack>& stack,
-                       const Window& window) {
-  const auto surface = std::make_shared<Surface>(bundle.scales.front(), picture.relief, picture.slant);
-  const Direction viewer = parse_direction("view-direction", picture.slant.view);
-  return [stack, surface, viewer, window](int begin, int end) {
-    return render_relief_rows(stack->planes, surface->relief, viewer, window, begin, end);
-  };
+/// What a drawer on OpenGL keeps.
+std::shared_ptr<const void> both(const std::shared_ptr<Stack>& stack,
+                                 const std::shared_ptr<const ReliefPlanes>& relief) {
+  return std::make_shared<std::pair<std::shared_ptr<Stack>, std::shared_ptr<const ReliefPlanes>>>(stack, relief);
 }
 
 DrawRows flat_drawer(const Bundle& bundle, const StackPicture& picture, const std::shared_ptr<Stack>& stack) {
@@ -48,9 +32,16 @@ DrawRows flat_drawer(const Bundle& bundle, const StackPicture& picture, const st
     return [stack, window, samples](int begin, int end) {
       return supersampled_stack_rows(stack->planes, window, samples, begin, end);
     };
-  if (needs_levels(window)) add_levels(stack->planes, stack->scales);
-  if (has_relief(picture.relief)) return relief_drawer(bundle, picture, stack, window);
-  if (picture.gl.backend == Backend::gl) return gl_stack_row_drawer(stack->planes, window, picture.gl.gl_device, stack);
+  if (needs_levels(window) || has_relief(picture.relief)) add_levels(stack->planes, stack->scales);
+  std::shared_ptr<const ReliefPlanes> relief;
+  if (has_relief(picture.relief)) relief = relief_of(bundle.scales.front(), picture.relief, picture.slant);
+  const Direction viewer = parse_direction("view-direction", picture.slant.view);
+  if (picture.gl.backend == Backend::gl)
+    return gl_stack_row_drawer(stack->planes, relief.get(), viewer, window, picture.gl.gl_device, both(stack, relief));
+  if (relief)
+    return [stack, relief, viewer, window](int begin, int end) {
+      return render_relief_rows(stack->planes, *relief, viewer, window, begin, end);
+    };
   return [stack, window](int begin, int end) { return render_stack_rows(stack->planes, window, begin, end); };
 }
 
@@ -65,9 +56,7 @@ DrawRows plane_drawer(const Bundle& bundle, const StackPicture& picture, const s
       return supersampled_stack_perspective_rows(stack->planes, relief.get(), view, samples, begin, end);
     };
   if (picture.gl.backend == Backend::gl)
-    return gl_stack_row_drawer(
-        stack->planes, relief.get(), view, picture.gl.gl_device,
-        std::make_shared<std::pair<std::shared_ptr<Stack>, std::shared_ptr<const ReliefPlanes>>>(stack, relief));
+    return gl_stack_row_drawer(stack->planes, relief.get(), view, picture.gl.gl_device, both(stack, relief));
   return [stack, relief, view](int begin, int end) {
     return render_stack_perspective_rows(stack->planes, relief.get(), view, begin, end);
   };

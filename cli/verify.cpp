@@ -105,19 +105,20 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
   ParityOptions options;
   options.windows = request.options.windows;
   const GlLanguage language = request.options.gl_language;
-  if (bundle.scales.size() > 1) {
-    const std::vector<StackScale> scales = stack_input(bundle);
-    StackPlanes stack = prepare_stack(scales);
-    add_levels(stack, scales);
-    const Scale& coarsest = bundle.scales.front();
-    ReliefOptions relief;
-    relief.depth_px = kReliefDepth;
-    const auto heights = coarsest.height ? relief_of(coarsest, relief, SlantOptions()) : nullptr;
-    append(outcome, parity_outcome(gl_stack_parity(stack, heights.get(), language, request.gl.gl_device, options),
-                                   stack.sizes.back()));
-  } else {
-    append(outcome, parity_outcome(gl_parity(planes, language, request.gl.gl_device, options), planes.size));
-  }
+  const Scale& coarsest = bundle.scales.front();
+  const std::optional<int>& device = request.gl.gl_device;
+  if (bundle.scales.size() == 1 && !coarsest.height)
+    return append(outcome, parity_outcome(gl_parity(planes, {}, language, device, options), planes.size));
+  const std::vector<StackScale> scales = stack_input(bundle);
+  StackPlanes stack = prepare_stack(scales);
+  add_levels(stack, scales);
+  ReliefOptions relief;
+  relief.depth_px = kReliefDepth;
+  const auto heights = coarsest.height ? relief_of(coarsest, relief, SlantOptions()) : nullptr;
+  const std::vector<LanguageParity> parity =
+      bundle.scales.size() > 1 ? gl_stack_parity(stack, heights.get(), language, device, options)
+                               : gl_parity(planes, TileRelief{stack, *heights}, language, device, options);
+  append(outcome, parity_outcome(parity, planes.size));
 }
 
 Outcome run(const Request& request, Console& console) {

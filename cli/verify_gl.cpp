@@ -46,6 +46,20 @@ Json json_of(const PixelDecision& decision) {
       {"patch", decision.patch_idx}, {"content", decision.content}, {"source", {decision.source_x, decision.source_y}}};
 }
 
+std::string text(const PerspectiveParity& parity, const char* where) {
+  if (parity.pixels == 0) return {};
+  return fmt::format("  {} pixels {}: {} see another place (at most {} may), {} values differ\n", parity.pixels, where,
+                     parity.differing_sights,
+                     static_cast<uint64_t>(PerspectiveParity::kTolerance * static_cast<double>(parity.pixels)),
+                     parity.differing_values);
+}
+
+Json json_of(const PerspectiveParity& parity) {
+  return {{"pixels", parity.pixels},
+          {"differingSights", parity.differing_sights},
+          {"differingValues", parity.differing_values}};
+}
+
 std::string text(const LanguageParity& parity, V2i tile_size) {
   const ParityReport& report = parity.report;
   std::string out = fmt::format("{} on {}: {}\n", full_name(parity.language), report.driver,
@@ -53,12 +67,7 @@ std::string text(const LanguageParity& parity, V2i tile_size) {
   out += fmt::format("  {} points, {} of {} contents: {} decisions, {} points and {} bits differ, {} points are NaN\n",
                      report.points, report.drawn_contents, report.contents, report.differing_decisions,
                      report.differing_points, report.differing_bits, report.nan_points);
-  const PerspectiveParity& perspective = parity.perspective;
-  if (perspective.pixels > 0)
-    out += fmt::format("  {} pixels in perspective: {} see another place (at most {} may), {} values differ\n",
-                       perspective.pixels, perspective.differing_sights,
-                       static_cast<uint64_t>(PerspectiveParity::kTolerance * static_cast<double>(perspective.pixels)),
-                       perspective.differing_values);
+  out += text(parity.perspective, "in perspective") + text(parity.relief, "of windows with relief");
   if (const auto& first = report.first_decision)
     out += fmt::format("  first decision: {}: expected {}, found {}\n",
                        text(Place{tile_size, first->window, first->pixel}), text(first->expected), text(first->found));
@@ -81,10 +90,8 @@ Json json_of(const LanguageParity& parity, V2i tile_size) {
                {"differingPoints", report.differing_points},
                {"differingBits", report.differing_bits},
                {"nanPoints", report.nan_points},
-               {"perspective",
-                {{"pixels", parity.perspective.pixels},
-                 {"differingSights", parity.perspective.differing_sights},
-                 {"differingValues", parity.perspective.differing_values}}}};
+               {"perspective", json_of(parity.perspective)},
+               {"relief", json_of(parity.relief)}};
   if (const auto& first = report.first_decision) {
     json["firstDecision"] = json_of(Place{tile_size, first->window, first->pixel});
     json["firstDecision"].update({{"expected", json_of(first->expected)}, {"found", json_of(first->found)}});

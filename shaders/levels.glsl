@@ -16,6 +16,23 @@ struct Probes {
   int level_256;
 };
 
+// The level of a width, in floating point before the exact path: log2(x) in 1/256, 2 of them off at most; x is positive and not denormal.
+int log2_256(float x) {
+  uint bits = floatBitsToUint(x);
+  int exponent = int(bits >> 23u) - 127;
+  float t = uintBitsToFloat((bits & 8388607u) | 1065353216u) - 1.0f;  // x / 2^exponent - 1
+  PRECISE float bow = (1.0f - t) * 0.3466f;
+  PRECISE float fraction = t * (bow + 1.0f);
+  return exponent * 256 + int(fraction * 256.0f);
+}
+
+float sum_of_squares(float a, float b) {
+  PRECISE float first = a * a;
+  PRECISE float second = b * b;
+  PRECISE float sum = first + second;
+  return sum;
+}
+
 vec4 kind_value(sampler2D plane, int kind, Source source) {
   vec4 value = source_value(plane, source);
   if (kind == 0 || kind == 4) return value;

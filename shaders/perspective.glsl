@@ -9,16 +9,6 @@ struct Sight {
   Probes probes;
 };
 
-// log2(x) in 1/256, 2 of them off at most; x is positive and not denormal.
-int log2_256(float x) {
-  uint bits = floatBitsToUint(x);
-  int exponent = int(bits >> 23u) - 127;
-  float t = uintBitsToFloat((bits & 8388607u) | 1065353216u) - 1.0f;  // x / 2^exponent - 1
-  PRECISE float bow = (1.0f - t) * 0.3466f;
-  PRECISE float fraction = t * (bow + 1.0f);
-  return exponent * 256 + int(fraction * 256.0f);
-}
-
 // Along one axis: the ray at a place of the view, in pixels from its upper left corner.
 float ray(float corner, float right, float down, float x, float y) {
   PRECISE float along_x = right * x;
@@ -34,13 +24,6 @@ float crossed(float a, float b, float c, float d) {
   PRECISE float second = c * d;
   PRECISE float difference = first - second;
   return difference;
-}
-
-float sum_of_squares(float a, float b) {
-  PRECISE float first = a * a;
-  PRECISE float second = b * b;
-  PRECISE float sum = first + second;
-  return sum;
 }
 
 // What a pixel sees of the plane: the way there from the point under the camera, and how its sides map to the plane, in

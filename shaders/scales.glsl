@@ -62,6 +62,27 @@ Position coarser_position(int scale, Position at) {
   return coarse;
 }
 
+// A point of the scale `from`, in a coarser one. Leaves that in use.
+Position position_in_scale(Position point, int from, int scale) {
+  Position at = point;
+  for (int i = from; i > scale; --i) {
+    use_scale(i);
+    at = coarser_position(i, at);
+  }
+  use_scale(scale);
+  return at;
+}
+
+// Texels of the finest scale along one of `scale`.
+float texels_in(int scale) {
+  float size = 1.0f;
+  for (int i = scale_count - 1; i > scale; --i) {
+    use_scale(i);
+    size = size * float(ratio);
+  }
+  return size;
+}
+
 // Where the centre of the fragment that shows at `at` lies in the infinite texture: a texel of the repetition at.tile,
 // perhaps outside it. `labels` are those of the source; their xy lead to the centre there.
 // For a turned content the way from the content's centre to the fragment's, the same for all of its texels, is turned

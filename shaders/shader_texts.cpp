@@ -37,7 +37,8 @@ std::string reference_core(ShaderLanguage language) {
 
 std::string stack_core(ShaderLanguage language) {
   return concatenated({prologue(language), "stack_bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl",
-                       "noise.glsl", "levels.glsl", "scales.glsl", "stack_levels.glsl"});
+                       "noise.glsl", "levels.glsl", "scales.glsl", "stack_levels.glsl", "relief_bindings.glsl",
+                       "relief.glsl", "stack_relief.glsl"});
 }
 
 std::string stack_fragment_shader(ShaderLanguage language) {
@@ -45,9 +46,8 @@ std::string stack_fragment_shader(ShaderLanguage language) {
 }
 
 std::string stack_perspective_fragment_shader(ShaderLanguage language) {
-  return stack_core(language) +
-         concatenated({"relief_bindings.glsl", "relief.glsl", "perspective_bindings.glsl", "perspective.glsl",
-                       "stack_relief.glsl", "stack_perspective.glsl", "stack_perspective.frag"});
+  return stack_core(language) + concatenated({"perspective_bindings.glsl", "perspective.glsl", "stack_perspective.glsl",
+                                              "stack_perspective.frag"});
 }
 
 std::string reference_vertex_shader(ShaderLanguage language) {

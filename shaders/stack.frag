@@ -1,4 +1,5 @@
-// Draws a window of a stack of scales: its values, and the decisions of the scale that shows.
+// Draws a window of a stack of scales: its values, and the decisions of the scale that shows; or, with relief, what was
+// found before the exact path.
 uniform uvec2 origin_tile;    // as in reference.frag, in terms of the scale that shows
 uniform ivec2 origin_offset;
 uniform uint step_256;
@@ -8,9 +9,10 @@ uniform int view_scale;       // the scale that shows
 uniform int level_256;        // its level of detail in 1/256, 0 ... 256 (level_count + 1)
 uniform float fading;         // 0 ... 1: how far it has faded into the one before it
 uniform float variation;      // 0 ... 1: share of its variation that it still has
+uniform vec3 slant;           // of window_sight
 
 layout(location = 0) out vec4 value;
-layout(location = 1) out uvec4 decided;  // patch idx, content, source texel of labels
+layout(location = 1) out uvec4 decided;  // patch idx, content, source texel of labels; with relief decided_of
 
 void main() {
   uvec2 line = uvec2(gl_FragCoord.xy);
@@ -34,5 +36,7 @@ void main() {
   seen.coarser_halvings = 0;
   seen.fading = fading;
   seen.variation = variation;
-  value = stack_probes_value(seen, filter_kind);
+  StackSight sight = window_sight(seen, slant);
+  if (relief_depth != 0.0f) decided = decided_of(sight);
+  value = sight_value(sight, filter_kind);
 }

@@ -18,5 +18,5 @@ void main() {
   decided = uvec4(0u, 0u, 0u, 0u);
   if (!sight.hits) return;
   decided = decided_of(sight);
-  value = sight_value(sight);
+  value = sight_value(sight, view_filter);
 }

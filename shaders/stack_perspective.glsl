@@ -2,12 +2,6 @@
 // probes of both; where relief moves that, and how it is lit. Floating point that comes before the exact path and ends in integers (StackProbes).
 // Needs stack_levels.glsl, perspective.glsl and stack_relief.glsl.
 
-struct StackSight {
-  bool hits;
-  StackProbes seen;
-  int light_4096;  // 4096 times the light on it
-};
-
 // How a footprint is seen that is `width` texels of the finest scale wide.
 struct SeenScale {
   int scale;
@@ -42,53 +36,30 @@ SeenScale stack_scale(float width) {
   return found;
 }
 
-// A point of the finest scale, in a coarser one. Leaves that in use.
-Position position_in_scale(Position finest, int scale) {
-  Position at = finest;
-  for (int i = scale_count - 1; i > scale; --i) {
-    use_scale(i);
-    at = coarser_position(i, at);
-  }
-  use_scale(scale);
-  return at;
-}
-
-// Texels of the finest scale along one of `scale`.
-float texels_in(int scale) {
-  float size = 1.0f;
-  for (int i = scale_count - 1; i > scale; --i) {
-    use_scale(i);
-    size = size * float(ratio);
-  }
-  return size;
-}
-
 // A point of `scale`: `to` texels of the finest scale from the point under the camera.
 Position stack_position(Position below, vec2 to, int scale) {
   float size = texels_in(scale);
-  return ground_position(position_in_scale(below, scale), vec2(to.x / size, to.y / size));
+  return ground_position(position_in_scale(below, scale_count - 1, scale), vec2(to.x / size, to.y / size));
 }
 
 // The sight of a point with relief: moved along the ray and lit. `ellipse` is the pixel's, and `width` that of its probes,
 // in texels of the finest scale.
 StackSight with_relief(StackSight flat_sight, Position below, Ground ground, Ellipse ellipse, float width) {
   if (relief_depth == 0.0f) return flat_sight;
-  StackSight sight = flat_sight;
   float size = texels_in(0);
+  Probes pixel;
+  pixel.at = stack_position(below, ground.to, 0);
+  pixel.level_256 = 0;
+  pixel.halvings = 0;
+  pixel.axis_256 = ivec2(0, 0);
+  float major = ellipse.major / size;
+  float wide = width / size;
+  if (major < 65535.0f && ellipse.squared > 1e-30f) {
+    pixel.halvings = halvings_of(major, wide < 1.0f ? 1.0f : wide);
+    pixel.axis_256 = axis_of(ellipse, size);
+  }
   vec2 way = vec2(ground.to.x / view_height, ground.to.y / view_height);
-  Relieved relieved = relief_at(stack_position(below, ground.to, 0), way, ellipse, size, width / size);
-  float finer = size / texels_in(sight.seen.scale);
-  use_scale(sight.seen.scale);
-  sight.seen.row.at = moved_position(sight.seen.row.at, rounded_256(relieved.moved.x * finer), rounded_256(relieved.moved.y * finer));
-  sight.light_4096 = relieved.light_4096;
-  return sight;
-}
-
-// What the pixel shows: an exact product, by a multiple of 1/4096.
-vec4 sight_value(StackSight sight) {
-  const float per_4096 = 0.000244140625f;
-  PRECISE vec4 lit = stack_probes_value(sight.seen, view_filter) * (float(sight.light_4096) * per_4096);
-  return lit;
+  return moved_and_lit(flat_sight, relief_at(pixel, way, wide));
 }
 
 // `below` is the point of the finest scale under the camera; x and y as of ground_at.
@@ -128,15 +99,4 @@ StackSight stack_sight_at(Position below, float x, float y) {
   sight.seen.coarser_halvings = halvings_of(major, wide < coarser ? coarser : wide);
   sight.seen.row.axis_256 = axis_of(ellipse, size);
   return sight;
-}
-
-// What was found, in numbers to compare: offset of the middle, their upper bits 256 fading and 256 variation; level_256 |
-// (halvings + 1) << 16 | coarser_halvings << 20 | scale << 24; axis, 16 bits of each part, stirred by the light.
-uvec4 decided_of(StackSight sight) {
-  StackProbes seen = sight.seen;
-  Probes row = seen.row;
-  uint light = uint(sight.light_4096 - 4096) * 2654435769u;
-  return uvec4(uint(row.at.offset.x) | uint(seen.fading * 256.0f) << 22u, uint(row.at.offset.y) | uint(seen.variation * 256.0f) << 22u,
-               uint(row.level_256) | (uint(row.halvings) + 1u) << 16u | uint(seen.coarser_halvings) << 20u | uint(seen.scale) << 24u,
-               ((uint(row.axis_256.x) & 65535u) | uint(row.axis_256.y) << 16u) + light);
 }

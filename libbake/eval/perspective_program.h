@@ -17,14 +17,11 @@ struct PerspectiveProgram : Program {
 #define PRECISE
 #include "shaders/perspective.glsl"
 //
-#include "shaders/stack_relief.glsl"
-//
 #include "shaders/stack_perspective.glsl"
 #undef PRECISE
 };
 
 using Sight = PerspectiveProgram::Sight;
-using StackSight = PerspectiveProgram::StackSight;
 
 }  // namespace texbake::glsl
 

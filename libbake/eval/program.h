@@ -87,6 +87,8 @@ struct Program {
 #include "shaders/stack_levels.glsl"
 //
 #include "shaders/relief.glsl"
+//
+#include "shaders/stack_relief.glsl"
 #undef PRECISE
 };
 
@@ -98,5 +100,6 @@ using Footprint = Program::Footprint;
 using Probes = Program::Probes;
 using Grid = Program::Grid;
 using StackProbes = Program::StackProbes;
+using StackSight = Program::StackSight;
 
 }  // namespace texbake::glsl

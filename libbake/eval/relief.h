@@ -1,12 +1,7 @@
-// Relief mapping: the point of the texture that a slanted ray meets, and how it is lit.
-// Based on: Policarpo, Oliveira and Comba 2005; Vanhoey et al. 2013, §7.
+// How relief is asked for: its depth, what lights it, and how carefully rays are followed.
 #pragma once
 
-#include <optional>
-
 #include "libbake/base/options.h"
-#include "libbake/eval/prepare.h"
-#include "libbake/eval/program.h"
 
 namespace texbake {
 
@@ -50,39 +45,5 @@ struct ReliefOptions {
 struct Direction {
   float x = 0, y = 0, z = 1;
 };
-
-/// The reference text with the relief of one scale bound to it.
-class Relief {
- public:
-  /// `planes` are those of the coarsest scale; its map "height" is the relief, its normal map tells slopes to the light
-  /// for ShadeBy::normal. Borrows `planes`. Throws Error(usage) when a map that is needed is not there, and for a light
-  /// that does not come from above.
-  Relief(const EvaluatorPlanes& planes, const ReliefOptions& options, const Direction& light);
-
-  /// Where a ray from the viewer through `at`, a point of the coarsest scale, meets the surface. `program` reads that
-  /// scale: program_of its planes, or of a stack with scale 0 in use.
-  glsl::Position met(glsl::Program& program, const glsl::Position& at, const Direction& viewer) const;
-  /// What the colour at a point that was met is multiplied with; 1 where the surface is flat.
-  float light_at(glsl::Program& program, const glsl::Position& at) const;
-  /// Binds the height map and the search to `program`.
-  void bind(glsl::Program& program) const;
-
-  const ReliefOptions& options() const { return options_; }
-  glsl::vec4 range() const { return range_; }
-  glsl::vec4 light() const { return light_; }
-  const Plane& height() const { return *height_; }
-  const Plane* normal() const { return normal_; }
-
- private:
-  ReliefOptions options_;
-  const Plane* height_ = nullptr;
-  const Plane* normal_ = nullptr;
-  glsl::vec4 range_{0, 0, 0, 0};
-  glsl::vec4 light_{0, 0, 1, 0};
-};
-
-/// A step of a point of the coarsest scale, taken by a point of a scale whose texels are `ratio` times smaller.
-glsl::Position moved_alike(glsl::Program& program, const glsl::Position& from, const glsl::Position& to, V2i size,
-                           const glsl::Position& at, int ratio);
 
 }  // namespace texbake

@@ -1,13 +1,52 @@
 #include "libbake/eval/relief_planes.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
+#include "libbake/base/error.h"
 #include "libbake/base/torus.h"
 #include "libbake/eval/levels.h"
 #include "libbake/eval/program_of.h"
 
 namespace texbake {
 namespace {
+
+const Plane& heights_of(const EvaluatorPlanes& planes) {
+  if (const Plane* heights = planes.map("height")) return *heights;
+  throw Error(ErrorKind::usage,
+              "--relief: expected a height map in the coarsest scale, found none; give convert --map height=FILE, or "
+              "make one with \"texbake heightmap\"");
+}
+
+const Plane& normals_of(const EvaluatorPlanes& planes) {
+  for (const Plane& map : planes.maps)
+    if (map.kind == MapKind::normal_opengl || map.kind == MapKind::normal_directx) return map;
+  throw Error(ErrorKind::usage,
+              "--shade normal: expected a normal map in the coarsest scale, found none; use --shade height");
+}
+
+void check_light(const Direction& light) {
+  if (!(light.z > 0))
+    throw Error(ErrorKind::usage,
+                fmt::format("--light: expected a direction from above (z > 0), found z = {}", light.z));
+}
+
+/// Greatest, least and mean height that contents can show: relief shrinks with them.
+glsl::vec4 range_of(const EvaluatorPlanes& planes, const Plane& height) {
+  float least = height.texels(0, 0).x, most = least;
+  double sum = 0;
+  for (const glsl::vec4& texel : height.texels) {
+    least = std::min(least, texel.x);
+    most = std::max(most, texel.x);
+    sum += double{texel.x};
+  }
+  float smallest_scale = 1;
+  for (const glsl::ivec4& content : planes.contents)
+    smallest_scale = std::min(smallest_scale, static_cast<float>(content.y) / 65536);
+  return {most, least * smallest_scale, static_cast<float>(sum / static_cast<double>(height.texels.size())), 0};
+}
 
 /// +y up.
 V3f normal_of_heights(const Image<glsl::vec4>& heights, V2i p, float depth_px) {
@@ -18,15 +57,14 @@ V3f normal_of_heights(const Image<glsl::vec4>& heights, V2i p, float depth_px) {
   return V3f(-right, down, 1) / length;
 }
 
-Image<glsl::vec4> heights_and_normals(const Relief& relief) {
-  const Image<glsl::vec4>& heights = relief.height().texels;
-  const bool by_normal = relief.options().shade_by == ShadeBy::normal;
+/// `normals` are the material's; those of the heights where it is nullptr.
+Image<glsl::vec4> heights_and_normals(const Image<glsl::vec4>& heights, const Plane* normals, float depth_px) {
   Image<glsl::vec4> both(heights.width(), heights.height(), {0, 0, 0, 0});
   for (int y = 0; y < both.height(); ++y)
     for (int x = 0; x < both.width(); ++x) {
-      V3f normal = by_normal ? V3f(0) : normal_of_heights(heights, {x, y}, relief.options().depth_px);
-      if (by_normal) {
-        const glsl::vec4& n = relief.normal()->texels(x, y);
+      V3f normal = normals ? V3f(0) : normal_of_heights(heights, {x, y}, depth_px);
+      if (normals) {
+        const glsl::vec4& n = normals->texels(x, y);
         normal = V3f(n.x, n.y, n.z);
       }
       both(x, y) = {heights(x, y).x, normal.x, normal.y, normal.z};
@@ -41,22 +79,21 @@ ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& 
   input.noise.reset();
   input.soft_border_px = 0;
   EvaluatorPlanes planes = prepare(input);
+  const Plane& heights = heights_of(planes);
+  const Plane* const normals = options.shade_by == ShadeBy::normal ? &normals_of(planes) : nullptr;
+  check_light(light);
+  const bool is_directx = normals && normals->kind == MapKind::normal_directx;
+  const MapKind kind = is_directx ? MapKind::relief_directx : MapKind::relief_opengl;
   ReliefPlanes bound;
-  MapKind kind = MapKind::relief_opengl;
-  {
-    const Relief relief(planes, options, light);
-    if (options.shade_by == ShadeBy::normal && relief.normal()->kind == MapKind::normal_directx)
-      kind = MapKind::relief_directx;
-    bound.range = relief.range();
-    bound.light = relief.light();
-    bound.height_plane = heights_and_normals(relief);
-  }
+  bound.range = range_of(planes, heights);
+  bound.light = {light.x / light.z, light.y / light.z, options.ambient, 0};
   bound.steps = {options.linear_steps, options.binary_steps};
   bound.depth_px = options.depth_px;
   bound.kind = options.shade_by == ShadeBy::none ? 0 : plane_kind(kind);
 
+  Plane relief{"relief", kind, 4, heights_and_normals(heights.texels, normals, options.depth_px)};
   planes.maps.clear();
-  planes.maps.push_back({"relief", kind, 4, std::move(bound.height_plane)});
+  planes.maps.push_back(std::move(relief));
   add_levels(planes, planes.maps[0]);
   bound.height_plane = std::move(planes.maps[0].texels);
   bound.height_levels = std::move(planes.maps[0].level_values);

@@ -1,6 +1,9 @@
 // The relief of a stack's coarsest scale with its levels of detail, as shaders/relief_bindings.glsl has it.
+// Based on: Policarpo, Oliveira and Comba 2005; Vanhoey et al. 2013, §7.
 #pragma once
 
+#include "libbake/eval/prepare.h"
+#include "libbake/eval/program.h"
 #include "libbake/eval/relief.h"
 
 namespace texbake {
@@ -15,7 +18,8 @@ struct ReliefPlanes {
 };
 
 /// `coarsest` as the stack has it, with the map "height". The normals are those of the material, or those of the
-/// heights: by central differences, at the depth of the options. Borders of patches are hard. Throws as Relief does.
+/// heights: by central differences, at the depth of the options. Borders of patches are hard. Throws Error(usage) when
+/// a map that is needed is not there, and for a light that does not come from above.
 ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& options, const Direction& light);
 
 /// Borrows `relief`.

@@ -4,46 +4,58 @@
 #include "libbake/eval/program_of.h"
 
 namespace texbake {
+namespace {
 
-glsl::vec4 relief_value(glsl::Program& program, const StackPlanes& planes, const Relief& relief,
-                        const Direction& viewer, const ScaleView& view, const glsl::Position& at, Filter filter) {
-  // The relief is that of the coarsest scale: down to it, along the ray, and the same way further in the scale that
-  // shows.
-  glsl::Position outer = at;
-  int ratio = 1;
-  for (int scale = view.scale; scale > 0; --scale) {
-    program.use_scale(scale);
-    outer = program.coarser_position(scale, outer);
-    ratio *= planes.transfers[static_cast<size_t>(scale)].ratio;
-  }
-  program.use_scale(0);
-  const glsl::Position met = relief.met(program, outer, viewer);
-  const float light = relief.light_at(program, met);
-  program.use_scale(view.scale);
-  const glsl::Position shown = moved_alike(program, outer, met, planes.sizes[0], at, ratio);
-  const int smooth = filter == Filter::nearest ? 0 : 1;
-  return program.stack_probes_value(stack_probes(view, shown), smooth) * light;
+/// Calls draw(program, i, j, sight) for every pixel of rows `row_begin` + j.
+template <class Draw>
+void for_each_sight(const StackPlanes& planes, const ReliefPlanes& relief, const Direction& viewer,
+                    const Window& window, const ScaleView& view, int row_begin, int row_end, const Draw& draw) {
+  check_window(window, planes.sizes[static_cast<size_t>(view.scale)]);
+  glsl::Program bound = program_of(planes, window.seed, reference_near(planes, window, view.scale));
+  bind_relief(bound, relief);
+  const glsl::vec3 slant = slant_of(planes, viewer, window, view.scale);
+  parallel_for(0, row_end - row_begin, [&](int j) {
+    glsl::Program program = bound;
+    for (int i = 0; i < window.width; ++i) {
+      program.use_scale(view.scale);
+      const glsl::Position at = program.pixel_position(
+          origin_of(window), window.step_256, {static_cast<uint32_t>(i), static_cast<uint32_t>(row_begin + j)});
+      draw(program, i, j, program.window_sight(stack_probes(view, at), slant));
+    }
+  });
 }
 
-Image<V3f> render_relief_rows(const StackPlanes& planes, const Relief& relief, const Direction& viewer,
+}  // namespace
+
+glsl::vec3 slant_of(const StackPlanes& planes, const Direction& viewer, const Window& window, int scale) {
+  const auto texels = static_cast<double>(planes.texels_in(0) / planes.texels_in(scale));
+  return {-viewer.x / viewer.z, -viewer.y / viewer.z, static_cast<float>(window.step_256 / (256 * texels))};
+}
+
+Image<V3f> render_relief_rows(const StackPlanes& planes, const ReliefPlanes& relief, const Direction& viewer,
                               const Window& window, int row_begin, int row_end) {
   const ScaleView view = scale_view(planes, window);
   const Window shown = window_in_scale(planes, window, view.scale);
-  check_window(shown, planes.sizes[static_cast<size_t>(view.scale)]);
-  glsl::Program bound = program_of(planes, shown.seed, reference_near(planes, shown, view.scale));
-  relief.bind(bound);
   Image<V3f> rows(shown.width, row_end - row_begin);
-  parallel_for(0, rows.height(), [&](int j) {
-    glsl::Program program = bound;
-    for (int i = 0; i < rows.width(); ++i) {
-      program.use_scale(view.scale);
-      const glsl::Position at = program.pixel_position(
-          origin_of(shown), shown.step_256, {static_cast<uint32_t>(i), static_cast<uint32_t>(row_begin + j)});
-      const glsl::vec4 value = relief_value(program, planes, relief, viewer, view, at, window.filter);
-      rows(i, j) = {value.x, value.y, value.z};
-    }
-  });
+  for_each_sight(planes, relief, viewer, shown, view, row_begin, row_end,
+                 [&](glsl::Program& program, int i, int j, const glsl::StackSight& sight) {
+                   const glsl::vec4 value = program.sight_value(sight, smooth_filter(shown.filter));
+                   rows(i, j) = {value.x, value.y, value.z};
+                 });
   return rows;
+}
+
+Frame relief_frame(const StackPlanes& planes, const ReliefPlanes& relief, const Direction& viewer, const Window& window,
+                   const ScaleView& view) {
+  Frame frame{Image<glsl::vec4>(window.width, window.height, {0, 0, 0, 0}),
+              Image<PixelDecision>(window.width, window.height)};
+  for_each_sight(planes, relief, viewer, window, view, 0, window.height,
+                 [&](glsl::Program& program, int i, int j, const glsl::StackSight& sight) {
+                   const glsl::uvec4 decided = program.decided_of(sight);
+                   frame.values(i, j) = program.sight_value(sight, smooth_filter(window.filter));
+                   frame.decisions(i, j) = {decided.x, decided.y, decided.z, decided.w};
+                 });
+  return frame;
 }
 
 }  // namespace texbake

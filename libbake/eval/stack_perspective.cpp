@@ -42,7 +42,7 @@ Image<V3f> render_stack_perspective_rows(const StackPlanes& planes, const Relief
   return draw_rows(bound(planes, relief, view), view, row_begin, row_end,
                    [&](PerspectiveProgram& program, int x, int y) {
                      const StackSight sight = sight_of(program, view, x, y);
-                     return sight.hits ? color_of(program.sight_value(sight)) : view.sky;
+                     return sight.hits ? color_of(program.sight_value(sight, program.view_filter)) : view.sky;
                    });
 }
 
@@ -51,26 +51,25 @@ Image<V3f> supersampled_stack_perspective_rows(const StackPlanes& planes, const 
   const auto place = [&](int pixel, int k) {
     return static_cast<float>(pixel) + (static_cast<float>(k) + 0.5f) / static_cast<float>(samples);
   };
-  return draw_rows(bound(planes, relief, view), view, row_begin, row_end,
-                   [&](PerspectiveProgram& program, int x, int y) {
-                     // The scales that the whole pixel sees, of each sample's place alone.
-                     StackSight sight = sight_of(program, view, x, y);
-                     sight.seen.row.level_256 = sight.seen.row.halvings = sight.seen.coarser_halvings = 0;
-                     Imath::V3d sum(0);
-                     for (int l = 0; l < samples; ++l)
-                       for (int k = 0; k < samples; ++k) {
-                         const auto ground = program.ground_at(place(x, k), place(y, l));
-                         if (ground.hits)
-                           sight.seen.row.at = program.stack_position(point_below(view), ground.to, sight.seen.scale);
-                         // Relief as a pixel sees it that is too small for levels of detail, and for parallax to fade.
-                         constexpr float kSmall = 1e-3f;
-                         const PerspectiveProgram::Ellipse point{kSmall, kSmall, {kSmall, 0}, kSmall * kSmall};
-                         const StackSight seen =
-                             ground.hits ? program.with_relief(sight, point_below(view), ground, point, kSmall) : sight;
-                         sum += Imath::V3d(ground.hits ? color_of(program.sight_value(seen)) : view.sky);
-                       }
-                     return V3f(sum / (double{1} * samples * samples));
-                   });
+  return draw_rows(
+      bound(planes, relief, view), view, row_begin, row_end, [&](PerspectiveProgram& program, int x, int y) {
+        // The scales that the whole pixel sees, of each sample's place alone.
+        StackSight sight = sight_of(program, view, x, y);
+        sight.seen.row.level_256 = sight.seen.row.halvings = sight.seen.coarser_halvings = 0;
+        Imath::V3d sum(0);
+        for (int l = 0; l < samples; ++l)
+          for (int k = 0; k < samples; ++k) {
+            const auto ground = program.ground_at(place(x, k), place(y, l));
+            if (ground.hits) sight.seen.row.at = program.stack_position(point_below(view), ground.to, sight.seen.scale);
+            // Relief as a pixel sees it that is too small for levels of detail, and for parallax to fade.
+            constexpr float kSmall = 1e-3f;
+            const PerspectiveProgram::Ellipse point{kSmall, kSmall, {kSmall, 0}, kSmall * kSmall};
+            const StackSight seen =
+                ground.hits ? program.with_relief(sight, point_below(view), ground, point, kSmall) : sight;
+            sum += Imath::V3d(ground.hits ? color_of(program.sight_value(seen, program.view_filter)) : view.sky);
+          }
+        return V3f(sum / (double{1} * samples * samples));
+      });
 }
 
 Frame stack_perspective_frame(const StackPlanes& planes, const ReliefPlanes* relief, const Perspective& view) {
@@ -83,7 +82,7 @@ Frame stack_perspective_frame(const StackPlanes& planes, const ReliefPlanes* rel
       const StackSight sight = sight_of(program, view, x, y);
       if (!sight.hits) continue;
       const glsl::uvec4 decided = program.decided_of(sight);
-      frame.values(x, y) = program.sight_value(sight);
+      frame.values(x, y) = program.sight_value(sight, program.view_filter);
       frame.decisions(x, y) = {decided.x, decided.y, decided.z, decided.w};
     }
   });

@@ -30,8 +30,6 @@ void for_each_pixel(const StackPlanes& planes, const Window& window, int scale, 
   });
 }
 
-int filter_of(const Window& window) { return window.filter == Filter::nearest ? 0 : 1; }
-
 }  // namespace
 
 glsl::uvec2 reference_near(const StackPlanes& planes, const Window& window, int scale) {
@@ -95,11 +93,11 @@ Image<V3f> render_scale_rows(const StackPlanes& planes, const Window& window, co
                              int row_end) {
   check_window(window, planes.sizes[static_cast<size_t>(view.scale)]);
   Image<V3f> rows(window.width, row_end - row_begin);
-  for_each_pixel(planes, window, view.scale, row_begin, row_end,
-                 [&](Program& program, int i, int j, const Position& at) {
-                   const glsl::vec4 value = program.stack_probes_value(stack_probes(view, at), filter_of(window));
-                   rows(i, j) = {value.x, value.y, value.z};
-                 });
+  for_each_pixel(
+      planes, window, view.scale, row_begin, row_end, [&](Program& program, int i, int j, const Position& at) {
+        const glsl::vec4 value = program.stack_probes_value(stack_probes(view, at), smooth_filter(window.filter));
+        rows(i, j) = {value.x, value.y, value.z};
+      });
   return rows;
 }
 
@@ -118,7 +116,7 @@ Frame reference_stack_frame(const StackPlanes& planes, const Window& window, con
     const glsl::Source source = program.source_of(texel, decision);
     frame.decisions(i, j) = {static_cast<uint32_t>(decision.patch_idx), static_cast<uint32_t>(decision.content),
                              static_cast<uint32_t>(source.nearest.x), static_cast<uint32_t>(source.nearest.y)};
-    frame.values(i, j) = program.stack_probes_value(stack_probes(view, at), filter_of(window));
+    frame.values(i, j) = program.stack_probes_value(stack_probes(view, at), smooth_filter(window.filter));
   });
   return frame;
 }

@@ -84,9 +84,11 @@ struct GlStackRenderer::State {
     gl.Uniform2i(program.uniform("first_row"), first_row, 1);
   }
 
-  void set_view(const Window& window, const ScaleView& view) {
+  void set_view(const Window& window, const ScaleView& view, const Direction& viewer) {
+    const glsl::vec3 slant = slant_of(planes, viewer, window, view.scale);
+    gl.Uniform3f(program.uniform("slant"), slant.x, slant.y, slant.z);
     gl.Uniform1ui(program.uniform("step_256"), window.step_256);
-    gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::nearest ? 0 : 1);
+    gl.Uniform1i(program.uniform("filter_kind"), smooth_filter(window.filter));
     gl.Uniform1i(program.uniform("view_scale"), view.scale);
     gl.Uniform1i(program.uniform("level_256"), view.level_256);
     gl.Uniform1f(program.uniform("fading"), view.fading);
@@ -121,8 +123,8 @@ struct GlStackRenderer::State {
   }
 };
 
-GlStackRenderer::GlStackRenderer(const GlContext& context, const StackPlanes& planes)
-    : GlStackRenderer(context, planes, stack_fragment_shader(context.language())) {}
+GlStackRenderer::GlStackRenderer(const GlContext& context, const StackPlanes& planes, const ReliefPlanes* relief)
+    : GlStackRenderer(context, planes, stack_fragment_shader(context.language()), relief) {}
 
 GlStackRenderer::GlStackRenderer(const GlContext& context, const StackPlanes& planes,
                                  const std::string& fragment_shader, const ReliefPlanes* relief)
@@ -130,12 +132,13 @@ GlStackRenderer::GlStackRenderer(const GlContext& context, const StackPlanes& pl
 
 GlStackRenderer::~GlStackRenderer() = default;
 
-void GlStackRenderer::draw_only(const Window& window, const ScaleView& view) {
+void GlStackRenderer::draw_only(const Window& window, const ScaleView& view, const Direction& viewer) {
   State& s = *state_;
   check_window(window, s.planes.sizes[static_cast<size_t>(view.scale)]);
   s.begin(window.width, window.height);
   s.set_stack(window.seed, reference_near(s.planes, window, view.scale), window.origin_x, window.origin_y, 0);
-  s.set_view(window, view);
+  s.set_view(window, view, viewer);
+  s.set_relief();
   s.draw();
 }
 
@@ -158,8 +161,8 @@ Frame GlStackRenderer::read() const {
   return frame;
 }
 
-Frame GlStackRenderer::draw(const Window& window, const ScaleView& view) {
-  draw_only(window, view);
+Frame GlStackRenderer::draw(const Window& window, const ScaleView& view, const Direction& viewer) {
+  draw_only(window, view, viewer);
   return read();
 }
 

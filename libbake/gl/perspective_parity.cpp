@@ -4,6 +4,8 @@
 #include <cstring>
 #include <vector>
 
+#include "libbake/gl/stack_parity.h"
+
 namespace texbake {
 namespace {
 
@@ -64,6 +66,22 @@ PerspectiveParity check_stack_perspective_parity(const StackPlanes& planes, cons
     const int scale = static_cast<int>(i / 2) % planes.scale_count();
     view.height_texels = std::min(1e6, view.height_texels * static_cast<double>(planes.texels_in(scale)));
     add(parity, stack_perspective_frame(planes, relief, view), renderer.draw(view, 0, view.height));
+  }
+  return parity;
+}
+
+PerspectiveParity check_relief_parity(const StackPlanes& planes, const ReliefPlanes& relief, const GlContext& context) {
+  constexpr Direction kViewers[] = {{1, -0.5f, 0.75f}, {-3, 2, 1}, {0, 0, 1}};
+  GlStackRenderer renderer(context, planes, &relief);
+  PerspectiveParity parity;
+  const std::vector<ScaleView> views = parity_views(planes);
+  for (size_t i = 0; i < views.size(); ++i) {
+    const V2i size = planes.sizes[static_cast<size_t>(views[i].scale)];
+    Window window = parity_windows(size, {.windows = 4, .seed = static_cast<uint32_t>(i)})[i % 4];
+    window.width = kWidth;
+    window.height = kHeight;
+    const Direction& viewer = kViewers[i % 3];
+    add(parity, relief_frame(planes, relief, viewer, window, views[i]), renderer.draw(window, views[i], viewer));
   }
   return parity;
 }

@@ -17,8 +17,9 @@ for what in "" "--map normal" "--map height" "--map roughness"; do
   cmp cpu.exr gl.exr || fail "the backends differ: $what"
 done
 
-# Far away too, and the endless plane but for the pixels that see another place.
-for what in "--step 23.5" "--step 100 --map normal" "--view plane --camera-height 700"; do
+# Far away too; and the endless plane and relief, but for the pixels that see another place.
+for what in "--step 23.5" "--step 100 --map normal" "--view plane --camera-height 700" \
+  "--relief 12 --view-direction 1,0,1" "--relief 12 --view plane --camera-height 700"; do
   texbake render good.texbundle -o cpu.exr --bits float --size 300x200 --origin -70.25,99999999999 $what
   texbake render good.texbundle -o gl.exr --bits float --size 300x200 --origin -70.25,99999999999 $what --backend gl
   oiiotool cpu.exr gl.exr --diff --fail 0 --failpercent 5 > out || fail "the backends differ: $what: $(cat out)"

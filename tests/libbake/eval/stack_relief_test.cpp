@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "libbake/eval/perspective_program.h"
 #include "libbake/eval/stack_levels.h"
 #include "libbake/eval/stack_perspective.h"
 #include "small_stack.h"
@@ -99,33 +98,6 @@ TEST(StackRelief, WhereAPixelIsAsLargeAsTheReliefNothingMoves) {
   Perspective far = view_from(40000);  // of the finest scale: 5000 of the coarsest, a pixel at least 80
   EXPECT_TRUE(drawn(planes, &relief, far) == drawn(planes, nullptr, far));
   EXPECT_FALSE(drawn(planes, &relief, view_from(400)) == drawn(planes, nullptr, view_from(400)));
-}
-
-TEST(StackRelief, ARayMeetsWhatAFlatWindowsRayMeets) {
-  const HighStack stack(wave);
-  const EvaluatorPlanes coarsest = prepare(stack.coarse_input());
-  const ReliefOptions options{.depth_px = 6, .linear_steps = 64};
-  const Relief flat(coarsest, options, kLight);
-  const ReliefPlanes relief = stack.relief(options);
-  const StackPlanes planes = stack.planes();
-  glsl::Program bound = program_of(planes, 3, {0, 0});
-  bind_relief(bound, relief);
-  glsl::PerspectiveProgram program = with_view(bound, view_from(100));
-  for (int i = 0; i < 200; ++i) {
-    const glsl::Position at{{5, 5}, {i * 397 % 8192, i * 211 % 8192}};
-    const glsl::vec2 way(0.01f * static_cast<float>(i - 100), -0.8f);  // of a ray that looks up in the texture
-    const auto found = program.relief_at(at, way, {0.01f, 0.01f, {1, 0}, 1}, 1, 0.01f);
-    program.use_scale(0);
-    program.relief_level = 0;
-    const glsl::Position met = flat.met(program, at, {-way.x, -way.y, 1});
-    const auto moved = [&](uint32_t tile, int offset, int from) {
-      return (static_cast<int>(tile - 5) * 8192 + offset - from) / 256.0;
-    };
-    // Steps are others: of 1/64 of the way, halved six times; where a ray grazes the one may pass.
-    EXPECT_NEAR(double{found.moved.x}, moved(met.tile.x, met.offset.x, at.offset.x), 0.1);
-    EXPECT_NEAR(double{found.moved.y}, moved(met.tile.y, met.offset.y, at.offset.y), 0.1);
-    EXPECT_NEAR(found.light_4096 / 4096.0, double{flat.light_at(program, met)}, 0.02);
-  }
 }
 
 TEST(StackRelief, ANormalMapOfTheHeightsShadesAsTheHeightsDo) {

@@ -70,6 +70,11 @@ TEST(PerspectiveParity, TheShaderSeesTheSameRelief) {
       std::printf("%llu sights of relief differ\n", static_cast<unsigned long long>(parity.differing_sights));
       EXPECT_TRUE(parity.equal()) << parity.differing_sights << " sights, " << parity.differing_values << " values of "
                                   << parity.pixels << " on " << context->description();
+      const PerspectiveParity windows = check_relief_parity(planes, relief, *context);
+      std::printf("%llu sights of windows with relief differ\n",
+                  static_cast<unsigned long long>(windows.differing_sights));
+      EXPECT_TRUE(windows.equal()) << windows.differing_sights << " sights, " << windows.differing_values
+                                   << " values of " << windows.pixels << " on " << context->description();
     }
   }
 }
