@@ -4,6 +4,8 @@
 #include "cli/bundle_path.h"
 #include "cli/command.h"
 #include "cli/evaluator_input.h"
+#include "cli/option_flags.h"
+#include "cli/stack_drawer.h"
 #include "formats/bundle_io.h"
 #include "formats/web_export.h"
 #include "libbake/eval/levels.h"
@@ -12,24 +14,60 @@
 namespace texbake {
 namespace {
 
+struct ExportOptions {
+  std::optional<float> depth_px;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.depth_px, Field{.name = "relief",
+                               .unit = "texels",
+                               .min = 0,
+                               .max = 1024,
+                               .help = "of the coarsest scale between height 0 and 1; 0: flat and unlit",
+                               .auto_help = "1/32 of the shorter side, in stacks with heights"});
+  }
+};
+
 struct Request {
   std::string bundle;
   std::string output;
   bool web = false;
+  ExportOptions options;
 };
+
+/// The relief of the page; nullptr where it has none.
+std::shared_ptr<const ReliefPlanes> relief_for(const Scale& coarsest, const ExportOptions& options) {
+  constexpr float kSharePerSide = 1.0f / 32;
+  ReliefOptions relief;
+  if (coarsest.height)
+    relief.depth_px = kSharePerSide * static_cast<float>(std::min(coarsest.height->width(), coarsest.height->height()));
+  if (options.depth_px) relief.depth_px = *options.depth_px;
+  return has_relief(relief) ? relief_of(coarsest, relief, SlantOptions()) : nullptr;
+}
+
+/// A page draws the relief of stacks; a tile with relief is a stack of one.
+bool is_stack(const Bundle& bundle, const ExportOptions& options) {
+  if (bundle.scales.size() > 1) return true;
+  const bool is_asked = options.depth_px.value_or(0) > 0;
+  if (bundle.noise && is_asked)
+    throw Error(ErrorKind::usage, "--relief: expected a bundle without noise: relief is drawn without grain");
+  return is_asked;
+}
 
 Outcome run(const Request& request, Console& console) {
   if (!request.web)
     throw Error(ErrorKind::usage, "expected what to export for; --web is a folder that a browser opens");
+  check_options(request.options);
   const std::string folder = request.output.empty() ? default_web_folder(request.bundle) : request.output;
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  if (bundle.scales.size() > 1) {
+  if (is_stack(bundle, request.options)) {
     const std::vector<StackScale> scales = stack_input(bundle);
     StackPlanes planes = prepare_stack(scales);
     add_levels(planes, scales);
+    const auto relief = relief_for(bundle.scales.front(), request.options);
     console.step("export");
-    export_web(planes, folder);
+    export_web(planes, relief.get(), folder);
   } else {
     EvaluatorPlanes planes = prepare(evaluator_input(bundle));
     add_levels(planes, planes.base);
@@ -45,6 +83,7 @@ Action declare(CLI::App& app) {
   app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
   app.add_option("-o,--output", request->output, "the folder; default: NAME_web here")->type_name("FOLDER");
   app.add_flag("--web", request->web, "a page that shows the endless texture, opened from the disk, without a server");
+  add_flags(app, request->options, "Options");
   return [request](Console& console) { return run(*request, console); };
 }
 
@@ -52,7 +91,9 @@ Action declare(CLI::App& app) {
 
 Command export_command() {
   return {"export", "bundle → a self-contained folder for the web viewer",
-          "  texbake export leaves.texbundle --web -o leaves_web", declare};
+          "  texbake export leaves.texbundle --web -o leaves_web\n"
+          "  texbake export rock.texbundle --web --relief 24",
+          declare};
 }
 
 }  // namespace texbake

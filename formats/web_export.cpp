@@ -83,6 +83,15 @@ void check_folder(const fs::path& folder) {
 bool is_half(float value) { return half_exact(value) == value; }
 bool may_be_half(float value) { return std::abs(value) <= kMaxHalf; }
 
+Json relief_json(const ReliefPlanes& relief) {
+  const auto four = [](const glsl::vec4& v) { return Json{v.x, v.y, v.z, v.w}; };
+  return {{"depth", relief.depth_px},
+          {"range", four(relief.range)},
+          {"light", four(relief.light)},
+          {"steps", {relief.steps.x, relief.steps.y}},
+          {"kind", relief.kind}};
+}
+
 void write_folder(const std::string& texture_script, const fs::path& folder) {
   check_folder(folder);
   std::error_code error;
@@ -121,7 +130,7 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   return "texbake.open(" + texture.dump() + ");\n";
 }
 
-std::string web_texture_script(const StackPlanes& planes) {
+std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* relief) {
   Json texture = {{"semantics", kSemantics}, {"scales", Json::array()}};
   for (int s = 0; s < planes.scale_count(); ++s) {
     const V2i size = planes.sizes[static_cast<size_t>(s)];
@@ -146,6 +155,10 @@ std::string web_texture_script(const StackPlanes& planes) {
   json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
   json["base_levels"] = values_json(planes.base_levels, may_be_half);
   json["fragment_shares"] = plane_json<glsl::ivec4>("RGBA32I", planes.fragment_shares);
+  const Image<glsl::vec4> none(1, 1, {0, 0, 0, 0});
+  json["height_plane"] = plane_json<glsl::vec4>("RGBA32F", relief ? relief->height_plane : none);
+  json["height_levels"] = values_json(relief ? relief->height_levels : none, may_be_half);
+  if (relief) texture["relief"] = relief_json(*relief);
   return "texbake.open(" + texture.dump() + ");\n";
 }
 
@@ -153,6 +166,8 @@ void export_web(const EvaluatorPlanes& planes, const fs::path& folder) {
   write_folder(web_texture_script(planes), folder);
 }
 
-void export_web(const StackPlanes& planes, const fs::path& folder) { write_folder(web_texture_script(planes), folder); }
+void export_web(const StackPlanes& planes, const ReliefPlanes* relief, const fs::path& folder) {
+  write_folder(web_texture_script(planes, relief), folder);
+}
 
 }  // namespace texbake

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "libbake/eval/prepare.h"
+#include "libbake/eval/relief_planes.h"
 #include "libbake/eval/stack_planes.h"
 
 namespace texbake {
@@ -18,17 +19,19 @@ namespace texbake {
 /// to RGBA16F, once. The levels of the base were added.
 /// A stack has, in place of what stands before the planes,
 ///   "scales": [{"size": [W, H], "ratio": r, "variation_fade": f, "level_count": L}, …], coarse to fine,
-/// and the planes of "Several scales".
+/// and the planes of "Several scales"; with relief also
+///   "relief": {"depth": d, "range": [most, least, drawn, 0], "light": [x, y, ambient, 0], "steps": [s, r], "kind": k}
+/// and its planes, in place of which there is else one texel of zeros each.
 inline constexpr const char* kWebFiles[] = {"index.html", "infinite_texture.js", "infinite_stack.js",
                                             "viewer.js",  "shaders.js",          "texture.js"};
 
 /// Makes `folder`, or replaces those files in one that an earlier export made. Throws Error(io) when the folder holds
 /// other things, or cannot be written; then nothing of an earlier export is lost.
 void export_web(const EvaluatorPlanes& planes, const std::filesystem::path& folder);
-void export_web(const StackPlanes& planes, const std::filesystem::path& folder);
+void export_web(const StackPlanes& planes, const ReliefPlanes* relief, const std::filesystem::path& folder);
 
 /// texture.js alone.
 std::string web_texture_script(const EvaluatorPlanes& planes);
-std::string web_texture_script(const StackPlanes& planes);
+std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* relief);
 
 }  // namespace texbake

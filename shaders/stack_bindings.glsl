@@ -45,6 +45,7 @@ vec4 kept_color;
 // A stack has hard borders of patches, and no noise beside its colours.
 const int first_level = 1;
 const int noise_size = 0;
-uniform usampler2D masks;
-uniform sampler2D noise_tiles;
-uniform usampler2D level_weights;
+// What noise would read is not read, and takes no textures of its own: with relief there are 16, what every driver has.
+#define masks patch_plane
+#define noise_tiles base
+#define level_weights level_entries

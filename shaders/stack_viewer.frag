@@ -1,12 +1,13 @@
 // Draws a window of a stack of scales for the eye, as viewer.frag does of one tile: the scale that shows, and how it is put
 // together.
-uniform uvec2 origin_tile;   // as in stack.frag, in terms of the scale that shows, as are the next four
+uniform uvec2 origin_tile;   // as in stack.frag, in terms of the scale that shows, as are the next five
 uniform ivec2 origin_offset;
 uniform uint step_256;
 uniform int view_scale;
 uniform int level_256;
 uniform float fading;
 uniform float variation;
+uniform vec3 slant;
 uniform int samples;         // as in viewer.frag, as are the next two
 uniform int height_px;
 uniform int show;
@@ -24,7 +25,7 @@ vec3 sample_color(Position at) {
     seen.coarser_halvings = 0;
     seen.fading = fading;
     seen.variation = variation;
-    return stack_probes_value(seen, 1).rgb;
+    return sight_value(window_sight(seen, slant), 1).rgb;
   }
   Texel texel = texel_at(at);
   Decision decision = decide(texel);

@@ -1,5 +1,6 @@
-// A stack of several scales on WebGL 2, as infinite_texture.js does it for one tile. Places count in texels of the finest
-// scale; what a scale, its nesting and its fading are is told in shaders/README.md, "Several scales".
+// A stack of several scales on WebGL 2, as infinite_texture.js does it for one tile, with relief where it has heights.
+// Places count in texels of the finest scale; what a scale, its nesting, its fading and relief are is told in
+// shaders/README.md, "Several scales" and "Relief".
 'use strict';
 
 class InfiniteStack extends InfiniteTexture {
@@ -32,64 +33,50 @@ class InfiniteStack extends InfiniteTexture {
     };
   }
 
-  draw({origin, step_256, seed, show}) {
-    const gl = this.gl;
-    const view = this.viewOf(step_256);
-    const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(view.step_256 / 256)));
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
-    const uniform = this.use(this.viewer, origin, seed, view);
-    gl.uniform1ui(uniform('step_256'), Math.max(1, Math.floor(view.step_256 / samples)));
-    gl.uniform1i(uniform('samples'), samples);
-    gl.uniform1i(uniform('height_px'), gl.drawingBufferHeight);
-    gl.uniform1i(uniform('show'), show);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  // Repetitions count from -2^31.
+  placeOf(point) {
+    return super.placeOf({...point, tile: point.tile.map((tile) => tile | 0)});
   }
 
-  // As of InfiniteTexture, in the finest scale; `faded` is the bilinear colour at the fading that the point names.
-  evaluatePoint(point) {
-    const gl = this.gl;
-    const place = (axis) => BigInt.asIntN(32, BigInt(point.tile[axis])) * BigInt(this.size[axis]) * 256n +
-                            BigInt(point.offset_256[axis]);
-    const origin = {x: place(0), y: place(1)};
-    const alone = {scale: this.finest, fading: 0, variation: 1, level_256: 0};
-    const value = {};
-    const decided = new Uint32Array(4);
-    for (const [name, filter, view] of [['nearest', 0, alone], ['bilinear', 1, alone],
-                                        ['faded', 1, {...alone, fading: point.fading || 0}]]) {
-      const uniform = this.use(this.reference, origin, point.seed, view);
-      gl.uniform1ui(uniform('step_256'), 1);
-      gl.uniform2i(uniform('first_row'), 0, 1);
-      gl.uniform1i(uniform('filter_kind'), filter);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
-      const color = new Float32Array(4);
-      gl.readBuffer(gl.COLOR_ATTACHMENT0);
-      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, color);
-      gl.readBuffer(gl.COLOR_ATTACHMENT1);
-      gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, decided);
-      value[name] = Array.from(color.subarray(0, 3));
-    }
-    return {patch: decided[0], content: decided[1], source: [decided[2], decided[3]], ...value};
+  // Beside nearest and bilinear: at the fading and at the level that the point names, and with relief.
+  pointViews(point) {
+    const alone = {scale: this.finest, fading: 0, variation: 1, level_256: 0, step_256: 1};
+    const {fading, variation, level_256, way} = point;
+    const views = [['nearest', 0, alone], ['bilinear', 1, alone], ['faded', 1, {...alone, fading, variation}],
+                   ['trilinear', 1, {...alone, variation, level_256}]];
+    return way ? [...views, ['lit', 1, {...alone, viewer: [-way[0], -way[1], 1]}]] : views;
   }
 
   use(program, origin, seed, view) {
     const gl = this.gl;
     const uniform = this.bind(program);
     const texels = BigInt(this.texelsIn(view.scale));
-    const size = this.scales[view.scale].size;
-    const [x, y] = [origin.x, origin.y].map((at, axis) => splitCoordinate(floorDivided(at, texels), size[axis]));
     const nesting = this.nestingNear(origin);
     gl.uniform1i(uniform('scale_count'), this.scales.length);
     gl.uniform1ui(uniform('stack_seed'), seed);
     gl.uniform4uiv(uniform('nesting'), nesting.tiles);
     gl.uniform2iv(uniform('nesting_offset'), nesting.offsets);
-    gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
-    gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
+    this.setOrigin(uniform, {x: floorDivided(origin.x, texels), y: floorDivided(origin.y, texels)}, this.scales[view.scale].size);
     gl.uniform1i(uniform('view_scale'), view.scale);
     gl.uniform1i(uniform('level_256'), view.level_256);
     gl.uniform1f(uniform('fading'), view.fading);
     gl.uniform1f(uniform('variation'), view.variation);
+    this.setRelief(uniform, view);
     return uniform;
+  }
+
+  // Towards a viewer; flat without one.
+  setRelief(uniform, {viewer, step_256, scale}) {
+    const gl = this.gl;
+    const {relief} = this.texture;
+    gl.uniform1f(uniform('relief_depth'), relief && viewer ? relief.depth : 0);
+    if (!relief || !viewer) return;
+    const [x, y, z] = viewer;
+    gl.uniform3f(uniform('slant'), -x / z, -y / z, step_256 / 256 / (this.texelsIn(0) / this.texelsIn(scale)));
+    gl.uniform4fv(uniform('relief_range'), relief.range);
+    gl.uniform4fv(uniform('relief_light'), relief.light);
+    gl.uniform2iv(uniform('relief_steps'), relief.steps);
+    gl.uniform1i(uniform('relief_kind'), relief.kind);
   }
 
   // Of each scale the repetition in which `origin` lies, and where its corner is in the scale before it. Repetitions

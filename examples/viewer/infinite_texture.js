@@ -19,25 +19,31 @@ class InfiniteTexture {
     gl.bindVertexArray(gl.createVertexArray());
   }
 
-  // Draws the window into the canvas: origin {x, y} as BigInt in 1/256 texel, step in 1/256 texels to a pixel.
-  draw({origin, step_256, seed, show}) {
+  // Draws the window into the canvas: origin {x, y} as BigInt in 1/256 texel, step in 1/256 texels to a pixel; `viewer`,
+  // [x, y, z], is the direction towards which a surface with relief is seen.
+  draw({origin, step_256, seed, show, viewer}) {
     const gl = this.gl;
+    const view = this.viewOf(step_256);
     // Colours have levels of detail; what is a label has none, and is sampled.
-    const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(step_256 / 256)));
-    const level_256 = Math.max(0, Math.min(256 * (this.texture.level_count + 1), Math.round(256 * Math.log2(step_256 / 256))));
+    const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(view.step_256 / 256)));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
-    const uniform = this.use(this.viewer, origin, seed);
-    gl.uniform1ui(uniform('step_256'), Math.max(1, Math.floor(step_256 / samples)));
+    const uniform = this.use(this.viewer, origin, seed, {...view, viewer});
+    gl.uniform1ui(uniform('step_256'), Math.max(1, Math.floor(view.step_256 / samples)));
     gl.uniform1i(uniform('samples'), samples);
-    gl.uniform1i(uniform('level_256'), level_256);
     gl.uniform1i(uniform('height_px'), gl.drawingBufferHeight);
     gl.uniform1i(uniform('show'), show);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  // What the reference shader decides and shows at points {tile: [x, y], offset_256: [x, y], seed}: for each the patch,
-  // the content, the source texel, and the linear colour: nearest, bilinear, and at the level that the point names.
+  // How a window with that step is seen: its step, and its level of detail.
+  viewOf(step_256) {
+    const last_256 = 256 * (this.texture.level_count + 1);
+    return {step_256, level_256: Math.max(0, Math.min(last_256, Math.round(256 * Math.log2(step_256 / 256))))};
+  }
+
+  // What the reference shader decides and shows at points {tile: [x, y], offset_256: [x, y], seed, …}: for each the patch,
+  // the content, the source texel, and the linear colours of pointViews.
   evaluate(points) {
     const gl = this.gl;
     if (!gl.getExtension('EXT_color_buffer_float')) throw new Error('expected WebGL 2 with EXT_color_buffer_float');
@@ -59,31 +65,36 @@ class InfiniteTexture {
 
   evaluatePoint(point) {
     const gl = this.gl;
-    const period = this.size.map((n) => BigInt(n) * 256n);
-    const origin = {
-      x: BigInt(point.tile[0]) * period[0] + BigInt(point.offset_256[0]),
-      y: BigInt(point.tile[1]) * period[1] + BigInt(point.offset_256[1]),
-    };
-    const value = [new Float32Array(4), new Float32Array(4), new Float32Array(4)];
-    const decided = new Uint32Array(4);
-    for (const filter of [0, 1, 2]) {
-      const uniform = this.use(this.reference, origin, point.seed);
+    const origin = this.placeOf(point);
+    const value = {};
+    for (const [name, filter, view] of this.pointViews(point)) {
+      const uniform = this.use(this.reference, origin, point.seed, view);
       gl.uniform1ui(uniform('step_256'), 1);
       gl.uniform2i(uniform('first_row'), 0, 1);
-      gl.uniform1i(uniform('filter_kind'), Math.min(filter, 1));
-      gl.uniform1i(uniform('level_256'), filter === 2 ? point.level_256 || 0 : 0);
-      gl.uniform1i(uniform('plane_kind'), this.texture.noise_size ? 4 : 0);
+      gl.uniform1i(uniform('filter_kind'), filter);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
+      const color = new Float32Array(4);
+      const decided = new Uint32Array(4);
       gl.readBuffer(gl.COLOR_ATTACHMENT0);
-      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, value[filter]);
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, color);
       gl.readBuffer(gl.COLOR_ATTACHMENT1);
       gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, decided);
+      value[name] = Array.from(color.subarray(0, 3));
+      if (name === 'nearest') Object.assign(value, {patch: decided[0], content: decided[1], source: [decided[2], decided[3]]});
+      if (name === 'lit') value.found = Array.from(decided);
     }
-    return {
-      patch: decided[0], content: decided[1], source: [decided[2], decided[3]],
-      nearest: Array.from(value[0].subarray(0, 3)), bilinear: Array.from(value[1].subarray(0, 3)),
-      trilinear: Array.from(value[2].subarray(0, 3)),
-    };
+    return value;
+  }
+
+  // A point from the origin of the infinite texture, in 1/256 texel.
+  placeOf(point) {
+    const [x, y] = this.size.map((side, axis) => BigInt(point.tile[axis]) * BigInt(side) * 256n + BigInt(point.offset_256[axis]));
+    return {x, y};
+  }
+
+  // The colours of a point, by name: the filter, and how it is seen: at the level that the point names.
+  pointViews(point) {
+    return [['nearest', 0, {level_256: 0}], ['bilinear', 1, {level_256: 0}], ['trilinear', 1, {level_256: point.level_256 || 0}]];
   }
 
   // Binds a program and the planes; returns how its uniforms are found.
@@ -100,19 +111,26 @@ class InfiniteTexture {
   }
 
   // The same with what every window has.
-  use(program, origin, seed) {
+  use(program, origin, seed, view) {
     const gl = this.gl;
     const uniform = this.bind(program);
-    const [x, y] = [splitCoordinate(origin.x, this.size[0]), splitCoordinate(origin.y, this.size[1])];
     gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
     gl.uniform1ui(uniform('content_count'), this.texture.content_count);
     gl.uniform1i(uniform('noise_size'), this.texture.noise_size);
+    gl.uniform1i(uniform('plane_kind'), this.texture.noise_size ? 4 : 0);
     gl.uniform1i(uniform('level_count'), this.texture.level_count);
     gl.uniform1i(uniform('first_level'), this.texture.first_level);
+    gl.uniform1i(uniform('level_256'), view.level_256);
     gl.uniform1ui(uniform('seed'), seed);
-    gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
-    gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
+    this.setOrigin(uniform, origin, this.size);
     return uniform;
+  }
+
+  // Where a window begins, on a tile of `size`.
+  setOrigin(uniform, origin, size) {
+    const [x, y] = [splitCoordinate(origin.x, size[0]), splitCoordinate(origin.y, size[1])];
+    this.gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
+    this.gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
   }
 
   link(vertexText, fragmentText) {

@@ -3,7 +3,7 @@
 
 const texbake = {
   shaders: null,
-  view: {origin: {x: 0n, y: 0n}, step_256: 256, seed: 0, show: 0},
+  view: {origin: {x: 0n, y: 0n}, step_256: 256, seed: 0, show: 0, viewer: null},
   texture: null,
 
   // Called by texture.js, the last script of the page.
@@ -21,6 +21,7 @@ const texbake = {
       return;
     }
     if (!texture.planes.fragments && !texture.planes.fragment_plane) document.querySelector('#show option[value="2"]').remove();
+    if (texture.relief) document.getElementById('aslant').hidden = false;
     this.listen();
     this.resize();
   },
@@ -115,6 +116,14 @@ const texbake = {
       seed.value = this.view.seed + 1;
       take();
     });
+    const slant = document.getElementById('slant');
+    const look = () => {
+      const angle = Number(slant.value) * Math.PI / 180;
+      this.view.viewer = this.texture.texture.relief ? [Math.sin(angle), 0, Math.cos(angle)] : null;
+      this.redraw();
+    };
+    slant.addEventListener('input', look);
+    look();
     document.getElementById('show').addEventListener('change', (event) => {
       this.view.show = Number(event.target.value);
       this.redraw();

@@ -16,7 +16,7 @@ struct GoldenPoint {
   uint32_t seed = 0;
   PixelDecision decision;
   V3f nearest{0}, bilinear{0};
-  uint32_t step_256 = 0;  ///< of the trilinear filter; 0 where there is none
+  uint32_t step_256 = 0;  ///< of the trilinear filter; 0 where there is none, and in stacks
   int level_256 = 0;
   V3f trilinear{0};
 
@@ -111,7 +111,7 @@ inline GoldenPoint golden_point(const nlohmann::json& json) {
   point.nearest = golden_color(json.at("nearest"));
   point.bilinear = golden_color(json.at("bilinear"));
   if (json.contains("trilinear")) {
-    point.step_256 = json.at("step_256");
+    point.step_256 = json.value("step_256", 0u);
     point.level_256 = json.at("level_256");
     point.trilinear = golden_color(json.at("trilinear"));
   }

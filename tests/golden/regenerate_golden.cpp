@@ -6,8 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "tests/libbake/eval/level_painter.h"
-#include "tests/libbake/eval/stack_painter.h"
+#include "libbake/color/luv.h"
+#include "tests/libbake/eval/relief_painter.h"
 
 namespace texbake {
 namespace {
@@ -111,7 +111,7 @@ Json tile_json(const SmallTile& tile) {
   return json;
 }
 
-Json scale_json(const ScaleTile& scale) {
+Json scale_json(const ScaleTile& scale, const ScaleTransfer* transfer) {
   Json json = tile_json(scale.tile);
   json.erase("semantics");
   const Partition& fragments = scale.fragments.partition;
@@ -123,18 +123,63 @@ Json scale_json(const ScaleTile& scale) {
     json["fragment_owner_y"].push_back(owner.y);
   }
   for (const uint8_t k : scale.colors.index) json["class_idx"].push_back(k);
+  for (const ColorClass& c : scale.colors.palette.classes) {
+    json["palette"].push_back(color_json(c.dominant));
+    json["dominants"].push_back(color_json(linear_from_luv(c.dominant)));
+  }
+  if (!transfer) return json;
+  json["transfer"] = {{"ratio", transfer->ratio},
+                      {"detail_mean", std::string(enum_name(transfer->detail_mean))},
+                      {"weights", transfer->weights},
+                      {"coarse_weights", transfer->coarse_weights},
+                      {"detail_gains", transfer->detail_gains}};
   return json;
 }
 
-/// A point of the finest scale, with its colours near and faded into the coarser scale.
-Json stack_point_json(const SmallStack& stack, const Point& point, float fading) {
-  const StackPainter painter(stack, point.seed);
-  Json json = point_json(stack.tiles.back().tile, point);
-  json["nearest"] = color_json(painter.fine_texel(point.x_256 >> 8, point.y_256 >> 8));
-  json["bilinear"] = color_json(painter.fine_bilinear(point.x_256, point.y_256));
-  json["fading"] = fading;
-  json["faded"] = color_json(painter.faded(point.x_256, point.y_256, fading));
+Json relief_json(const SmallRelief& relief) {
+  Json json = {{"depth", relief.depth_px},
+               {"steps", {relief.steps, relief.refinements}},
+               {"range", {relief.most(), relief.least(), relief.mean()}},
+               {"light", {relief.light_x, relief.light_y, relief.ambient}}};
+  for (const float h : relief.height) json["height"].push_back(h);
+  for (const V3f& n : relief.normal) json["normal"].push_back(color_json(n));
   return json;
+}
+
+/// A point of the finest scale, with its colours near, faded into the coarser scale, and at a level of detail.
+Json stack_point_json(const SmallStack& stack, const Point& point, Random& random) {
+  const StackPainter painter(stack, point.seed);
+  const int finest = painter.finest();
+  const float fading = static_cast<float>(random.below(4) + 1) / 4.0f;
+  const float variation = static_cast<float>(random.below(5)) / 4.0f;
+  const int levels = std::bit_width(static_cast<uint32_t>(stack.transfers.back().ratio - 1));
+  const auto level_256 = static_cast<int>(random.below(static_cast<uint32_t>(256 * levels) + 1));
+  Json json = point_json(stack.tiles.back().tile, point);
+  json["nearest"] = color_json(painter.texel(finest, point.x_256 >> 8, point.y_256 >> 8, 1));
+  json["bilinear"] = color_json(painter.bilinear(finest, point.x_256, point.y_256, 1));
+  json["fading"] = fading;
+  json["variation"] = variation;
+  json["faded"] = color_json(painter.faded(point.x_256, point.y_256, fading, variation));
+  json["level_256"] = level_256;
+  json["trilinear"] = color_json(painter.trilinear(point.x_256, point.y_256, level_256, variation));
+  return json;
+}
+
+/// The place that a ray meets, and what it shows there.
+void add_relief(Json& json, const SmallStack& stack, const SmallRelief& relief, const Point& point, Random& random) {
+  // Slanting enough for all steps to be taken, in quarters.
+  const auto part = [&] { return (static_cast<double>(random.below(9)) + 8) / 4 * (random.below(2) == 0 ? 1 : -1); };
+  const Imath::V2d way(part(), part());
+  const ReliefPainter::Met met = ReliefPainter(stack, relief, point.seed).met(point.x_256, point.y_256, way);
+  const StackPainter painter(stack, point.seed);
+  const V2i n = stack.tiles.back().tile.size();
+  const Json x = place_json(met.x_256, n.x), y = place_json(met.y_256, n.y);
+  json["way"] = {way.x, way.y};
+  json["met_tile"] = {x[0], y[0]};
+  json["met_256"] = {x[1], y[1]};
+  json["light_4096"] = met.light_4096;
+  json["lit"] = color_json(painter.bilinear(painter.finest(), met.x_256, met.y_256, 1) *
+                           (static_cast<float>(met.light_4096) / 4096));
 }
 
 /// The texture of several scales is whole from repetition -2^31 to 2^31 - 1 of the finest.
@@ -145,19 +190,23 @@ bool is_whole(const Point& point, V2i n) {
   return inside(point.x_256, n.x) && inside(point.y_256, n.y);
 }
 
-std::string stack_text_of(const SmallStack& stack) {
-  Random random(2026, 7);
-  const ScaleTransfer& transfer = stack.transfers.back();
+std::string stack_text_of(const SmallStack& stack, const SmallRelief* relief = nullptr) {
+  Random random(2026, 7), ways(2027, 8);
   std::string text = "{\n\"semantics\": " + std::to_string(kShaderSemantics) + ",\n\"scales\": [\n";
-  for (const ScaleTile& scale : stack.tiles)
-    text += scale_json(scale).dump() + (&scale == &stack.tiles.back() ? "\n],\n" : ",\n");
-  text += "\"ratio\": " + std::to_string(transfer.ratio) + ",\n\"weights\": " + Json(transfer.weights).dump() +
-          ",\n\"coarse_weights\": " + Json(transfer.coarse_weights).dump() + ",\n\"points\": [\n";
+  auto transfer = stack.transfers.begin();
+  for (const ScaleTile& scale : stack.tiles) {
+    text += scale_json(scale, &scale == &stack.tiles.front() ? nullptr : &*transfer).dump() +
+            (&scale == &stack.tiles.back() ? "\n],\n" : ",\n");
+    ++transfer;
+  }
+  if (relief) text += "\"relief\": " + relief_json(*relief).dump() + ",\n";
+  text += "\"points\": [\n";
   std::vector<Point> points = points_of(stack.tiles.back().tile.size());
   std::erase_if(points, [&](const Point& point) { return !is_whole(point, stack.tiles.back().tile.size()); });
   for (const Point& point : points) {
-    const float fading = static_cast<float>(random.below(4) + 1) / 4.0f;
-    text += stack_point_json(stack, point, fading).dump() + (&point == &points.back() ? "\n]\n}\n" : ",\n");
+    Json json = stack_point_json(stack, point, random);
+    if (relief) add_relief(json, stack, *relief, point, ways);
+    text += json.dump() + (&point == &points.back() ? "\n]\n}\n" : ",\n");
   }
   return text;
 }
@@ -194,6 +243,45 @@ bool write(const std::string& path, const std::string& text) {
   return static_cast<bool>(file << text << std::flush);
 }
 
+/// Sixteenths, so that rays, light and what lies between texels are exact in float.
+SmallRelief random_relief(V2i size, uint64_t seed) {
+  Random random(seed, 11);
+  SmallRelief relief{Image<float>(size.x, size.y), Image<V3f>(size.x, size.y), 4, 8, 6, -1, -0.5, 0.5};
+  const auto sixteenths = [&](int most) {
+    return static_cast<float>(random.below(static_cast<uint32_t>(most) + 1)) / 16;
+  };
+  for (float& h : relief.height) h = sixteenths(16);
+  for (V3f& n : relief.normal) n = {sixteenths(16) - 0.5f, sixteenths(16) - 0.5f, sixteenths(8) + 0.5f};
+  relief.height(0, 0) = 0;
+  relief.height(1, 0) = 1;
+  return relief;
+}
+
+bool write_stacks(const std::string& folder) {
+  SmallStack two, turned, three, relief;
+  two.add(random_scale({32, 16}, 3, Contents::turned, 106));
+  two.add(random_scale({16, 32}, 3, Contents::moved, 107),
+          {.ratio = 5, .weights = {0.5f, 1}, .coarse_weights = {1, 0.25f}});
+  turned.add(random_scale({16, 16}, 3, Contents::turned, 108));
+  turned.add(random_scale({32, 32}, 4, Contents::turned, 109), {.ratio = 6,
+                                                                .detail_mean = DetailMean::local,
+                                                                .weights = {0.75f, 0.5f},
+                                                                .coarse_weights = {0.5f, 1},
+                                                                .detail_gains = {0.5f, 1.5f}});
+  three.add(random_scale({16, 16}, 2, Contents::moved, 110));
+  three.add(random_scale({16, 16}, 3, Contents::turned, 111), {.ratio = 3, .coarse_weights = {1, 0.5f}});
+  three.add(random_scale({16, 32}, 3, Contents::moved, 112),
+            {.ratio = 8, .detail_mean = DetailMean::local, .weights = {1, 0.25f}, .detail_gains = {2, 1}});
+  relief.add(random_scale({32, 16}, 3, Contents::moved, 113));
+  relief.add(random_scale({16, 16}, 3, Contents::turned, 114), {.ratio = 5});
+  const SmallRelief heights = random_relief({32, 16}, 115);
+  const auto done = [&](const char* name, const std::string& text) { return write(folder + "/" + name, text); };
+  bool all = done("stack.json", stack_text_of(two));
+  all = done("stack_turned.json", stack_text_of(turned)) && all;
+  all = done("stack_three.json", stack_text_of(three)) && all;
+  return done("stack_relief.json", stack_text_of(relief, &heights)) && all;
+}
+
 /// All files; false where one was not written.
 bool write_all(const std::string& folder) {
   const auto done = [&](const char* name, const SmallTile& tile, Levels levels) {
@@ -209,11 +297,7 @@ bool write_all(const std::string& folder) {
   SmallTile noise_levels = random_tile({16, 32}, 3, Contents::turned, 105);
   add_noise(noise_levels, 2, 32, 105);
   all = done("noise_levels", noise_levels, Levels::with) && all;
-  SmallStack stack;
-  stack.add(random_scale({32, 16}, 3, Contents::turned, 106));
-  stack.add(random_scale({16, 32}, 3, Contents::moved, 107),
-            {.ratio = 5, .weights = {0.5f, 1}, .coarse_weights = {1, 0.25f}});
-  return write(folder + "/stack.json", stack_text_of(stack)) && all;
+  return write_stacks(folder) && all;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // usage: write_golden_page NAME FOLDER: exports the golden tile NAME as `texbake export --web` exports a bundle.
+#include <algorithm>
 #include <cstdio>
 
 #include "formats/web_export.h"
@@ -7,10 +8,14 @@
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   try {
-    if (argv[1] == std::string(texbake::kGoldenStackName))
-      texbake::export_web(texbake::read_golden_stack().planes, argv[2]);
-    else
-      texbake::export_web(texbake::read_golden(argv[1]).planes, argv[2]);
+    const std::string name = argv[1];
+    const auto& stacks = texbake::kGoldenStackNames;
+    if (std::find(std::begin(stacks), std::end(stacks), name) != std::end(stacks)) {
+      const texbake::GoldenStack golden = texbake::read_golden_stack(name);
+      texbake::export_web(golden.planes, golden.relief ? &*golden.relief : nullptr, argv[2]);
+    } else {
+      texbake::export_web(texbake::read_golden(name).planes, argv[2]);
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "write_golden_page: %s\n", error.what());
     return 1;

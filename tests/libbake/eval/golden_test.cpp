@@ -34,16 +34,26 @@ TEST(Golden, TheProcessorGivesEveryVector) {
 }
 
 TEST(Golden, TheProcessorGivesEveryVectorOfAStack) {
-  const GoldenStack golden = read_golden_stack();
-  EXPECT_EQ(golden.semantics, kShaderSemantics);
-  EXPECT_GT(golden.points.size(), 100u);
-  for (const GoldenStackPoint& point : golden.points) {
-    const Window nearest = point.near.window(Filter::nearest), bilinear = point.near.window(Filter::bilinear);
-    const Frame frame = reference_stack_frame(golden.planes, nearest, point.view());
-    EXPECT_EQ(frame.decisions(0, 0), point.near.decision);
-    EXPECT_EQ(color_at(frame), point.near.nearest);
-    EXPECT_EQ(color_at(reference_stack_frame(golden.planes, bilinear, point.view())), point.near.bilinear);
-    EXPECT_EQ(color_at(reference_stack_frame(golden.planes, bilinear, point.faded_view())), point.faded);
+  for (const char* name : kGoldenStackNames) {
+    const GoldenStack golden = read_golden_stack(name);
+    const StackPlanes& planes = golden.planes;
+    const int finest = planes.finest();
+    EXPECT_EQ(golden.semantics, kShaderSemantics);
+    EXPECT_GT(golden.points.size(), 100u);
+    for (const GoldenStackPoint& point : golden.points) {
+      const Window nearest = point.near.window(Filter::nearest), bilinear = point.near.window(Filter::bilinear);
+      const Frame frame = reference_stack_frame(planes, nearest, point.view(finest));
+      EXPECT_EQ(frame.decisions(0, 0), point.near.decision) << name;
+      EXPECT_EQ(color_at(frame), point.near.nearest) << name;
+      EXPECT_EQ(color_at(reference_stack_frame(planes, bilinear, point.view(finest))), point.near.bilinear) << name;
+      EXPECT_EQ(color_at(reference_stack_frame(planes, bilinear, point.faded_view(finest))), point.faded) << name;
+      EXPECT_EQ(color_at(reference_stack_frame(planes, bilinear, point.leveled_view(finest))), point.near.trilinear)
+          << name;
+      if (!golden.relief) continue;
+      const Frame lit = relief_frame(planes, *golden.relief, point.viewer, bilinear, point.view(finest));
+      EXPECT_EQ(lit.decisions(0, 0), point.relief_decision(finest)) << name;
+      EXPECT_EQ(color_at(lit), point.lit) << name;
+    }
   }
 }
 

@@ -52,6 +52,26 @@ class LevelPainter {
     return sum;
   }
 
+  /// The sum of what the patches under a square of side² texels show there, each averaged over it.
+  V3f shares(int64_t x, int64_t y, int side) const {
+    const Painting painting = painter_.paint(x * side, y * side, side, side);
+    V3f sum(0);
+    for (const Shape& shape : shapes(painting, {0, 0}, side, {})) {
+      const V4f shown = share(painting, shape, {0, 0}, side, [&](V2i p) { return V4f(painting.structure(p.x, p.y)); });
+      sum += V3f(shown.x, shown.y, shown.z);
+    }
+    return sum;
+  }
+
+  /// The texels of each of them, from the square's corner, in the order in which its quarters bring them.
+  std::vector<std::vector<V2i>> patches_of(int64_t x, int64_t y, int side) const {
+    const Painting painting = painter_.paint(x * side, y * side, side, side);
+    std::vector<std::vector<V2i>> patches;
+    for (const Shape& shape : shapes(painting, {0, 0}, side, {}))
+      add_texels(painting, shape, {0, 0}, side, patches.emplace_back());
+    return patches;
+  }
+
  private:
   /// A patch, and in which repetition from the block's own its centre lies.
   struct Shape {
@@ -80,6 +100,11 @@ class LevelPainter {
     const Shape shape = shape_at(painting, p);
     if (std::find(known.begin(), known.end(), shape) == known.end()) known.push_back(shape);
     return known;
+  }
+
+  void add_texels(const Painting& painting, const Shape& shape, V2i p, int side, std::vector<V2i>& texels) const {
+    if (side == 1 && shape_at(painting, p) == shape) texels.push_back(p);
+    for (int i = 0; side > 1 && i < 4; ++i) add_texels(painting, shape, quarter(p, side / 2, i), side / 2, texels);
   }
 
   template <class At>

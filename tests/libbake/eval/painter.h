@@ -75,10 +75,10 @@ class Painter {
     const Content& content = tile_.contents.at(patch, number);
     for (int dy = -n.y / 2; dy <= (n.y - 1) / 2; ++dy)
       for (int dx = -n.x / 2; dx <= (n.x - 1) / 2; ++dx) {
-        const V2i at = wrap(V2i(c.x + dx, c.y + dy), n);
-        if (tile_.patches.partition.idx(at.x, at.y) != static_cast<uint32_t>(patch)) continue;
         const int64_t x = kx * n.x + c.x + dx, y = ky * n.y + c.y + dy;
         if (!painting.covers(x, y)) continue;
+        const V2i at = wrap(V2i(c.x + dx, c.y + dy), n);
+        if (tile_.patches.partition.idx(at.x, at.y) != static_cast<uint32_t>(patch)) continue;
         const int i = static_cast<int>(x - painting.x0), j = static_cast<int>(y - painting.y0);
         painting.color(i, j) = content_color(content, c, dx, dy);
         painting.structure(i, j) = painting.color(i, j);

@@ -1,80 +1,256 @@
-// The slow painter of two scales: paints each forward by itself, and adds the coarse colour at the centre of each fine
-// fragment (CE13, eq. 5). For contents that are moved, not turned, and colours that are passed by fragment.
+// The slow painter of several scales: paints each forward by itself, and adds the coarse colour at the centre of each
+// fine fragment (CE13, eq. 5); blocks of texels by definition; and rays that meet the relief of the coarsest scale. For
+// colours that are passed by fragment.
 #pragma once
 
-#include "painter.h"
+#include <algorithm>
+#include <deque>
+
+#include "level_painter.h"
+#include "libbake/color/luv.h"
 #include "small_stack.h"
 
 namespace texbake {
 
 class StackPainter {
  public:
-  /// `stack` has two scales and no gains of detail. Scale 0 draws with a seed of its own.
-  StackPainter(const SmallStack& stack, uint32_t seed)
-      : coarse_(stack.tiles.front()),
-        fine_(stack.tiles.back()),
-        transfer_(stack.transfers.back()),
-        coarse_painter_(coarse_.tile, static_cast<uint32_t>(uint64_t{seed} + 2654435769)),
-        fine_painter_(fine_.tile, seed),
-        fine_mean_(mean_of(fine_.tile.base)) {}
-
-  const Painter& fine() const { return fine_painter_; }
-
-  /// What the coarse scale shows at a texel of its own.
-  V3f coarse_texel(int64_t x, int64_t y) const { return coarse_painter_.paint(x, y, 1, 1).color(0, 0); }
-
-  /// What the fine scale shows at one: its own colour, less its mean, and the coarse colour where the fragment's centre
-  /// lies, as far as the one takes and the other gives it.
-  V3f fine_texel(int64_t x, int64_t y) const {
-    const Painting own = fine_painter_.paint(x, y, 1, 1);
-    const V2i source = own.source(0, 0);
-    const Partition& fragments = fine_.fragments.partition;
-    const uint32_t fragment = fragments.idx(source.x, source.y);
-    const OwnerOffset owner = fragments.owner(source.x, source.y);
-    const V2i n = fine_.tile.size();
-    const V2i way = fragments.centers[fragment] + V2i(owner.x * n.x, owner.y * n.y) - source;
-    const Painting outer = coarse_painter_.paint(Painter::floor_div(x + way.x, transfer_.ratio),
-                                                 Painter::floor_div(y + way.y, transfer_.ratio), 1, 1);
-    const uint32_t taking = fine_.fragments.fragments[fragment].class_idx;
-    const uint32_t giving = coarse_.colors.index(outer.source(0, 0).x, outer.source(0, 0).y);
-    const float share = transfer_.weights[taking] * transfer_.coarse_weights[giving];
-    return own.color(0, 0) + (outer.color(0, 0) - fine_mean_) * share;
+  /// Scales draw with seeds of their own.
+  StackPainter(const SmallStack& stack, uint32_t seed) {
+    auto transfer = stack.transfers.begin();
+    for (const ScaleTile& tile : stack.tiles) {
+      const auto further = static_cast<uint64_t>(stack.tiles.size() - 1 - scales_.size());
+      scales_.emplace_back(tile, *transfer++, static_cast<uint32_t>(uint64_t{seed} + further * 2654435769));
+    }
+    // The share of a colour that is given is the finer scale's to say.
+    for (size_t s = 0; s + 1 < scales_.size(); ++s) scales_[s].giving = scales_[s + 1].transfer.coarse_weights;
   }
 
-  V3f fine_bilinear(int64_t x_256, int64_t y_256) const {
-    return bilinear(x_256, y_256, [&](int64_t x, int64_t y) { return fine_texel(x, y); });
+  int finest() const { return static_cast<int>(scales_.size()) - 1; }
+
+  /// What a texel of a scale shows: its own colour, less the mean of its scale, and the coarse colour where the centre
+  /// of its fragment lies, as far as the one takes and the other gives it. `variation` is the share that is left of its
+  /// own.
+  V3f texel(int scale, int64_t x, int64_t y, float variation) const { return stacked(scale, x, y, variation).color; }
+
+  V3f bilinear(int scale, int64_t x_256, int64_t y_256, float variation) const {
+    return between(x_256, y_256, 256, [&](int64_t x, int64_t y) { return texel(scale, x, y, variation); });
   }
 
-  /// The fine scale, faded into the coarse one at the same point, in 1/256 of its texels rounded down.
-  V3f faded(int64_t x_256, int64_t y_256, float fading) const {
-    const V3f near = fine_bilinear(x_256, y_256);
-    const V3f far = bilinear(Painter::floor_div(x_256, transfer_.ratio), Painter::floor_div(y_256, transfer_.ratio),
-                             [&](int64_t x, int64_t y) { return coarse_texel(x, y); });
+  /// The finest scale, faded into the next coarser one at the same point, in 1/256 of its texels rounded down.
+  V3f faded(int64_t x_256, int64_t y_256, float fading, float variation) const {
+    const V3f near = bilinear(finest(), x_256, y_256, variation);
+    const int ratio = scales_.back().transfer.ratio;
+    const V3f far = bilinear(finest() - 1, Painter::floor_div(x_256, ratio), Painter::floor_div(y_256, ratio), 1);
     return fading == 1 ? far : near + (far - near) * fading;
   }
 
- private:
-  template <class Texel>
-  static V3f bilinear(int64_t x_256, int64_t y_256, const Texel& texel) {
-    const int64_t left = Painter::floor_div(x_256 - 128, 256), top = Painter::floor_div(y_256 - 128, 256);
-    const double wx = static_cast<double>(x_256 - 128 - left * 256) / 256;
-    const double wy = static_cast<double>(y_256 - 128 - top * 256) / 256;
-    return Painter::blend(texel(left, top), texel(left + 1, top), texel(left, top + 1), texel(left + 1, top + 1), wx,
-                          wy);
+  /// The finest scale between two of its levels of detail.
+  V3f trilinear(int64_t x_256, int64_t y_256, int level_256, float variation) const {
+    const auto at_level = [&](int level) {
+      return between(x_256, y_256, int64_t{256} << level,
+                     [&](int64_t x, int64_t y) { return block(x, y, level, variation); });
+    };
+    const V3f finer = at_level(level_256 / 256);
+    if (level_256 % 256 == 0) return finer;
+    return finer + (at_level(level_256 / 256 + 1) - finer) * (static_cast<float>(level_256 % 256) / 256);
   }
 
-  /// Sums of halves are exact in double.
-  static V3f mean_of(const Image<V3f>& base) {
+  /// Block (x, y) of the finest scale: of its own colours the mean, patch by patch; and of the coarse ones what its
+  /// fragments take, each by its share of the block.
+  V3f block(int64_t x, int64_t y, int level, float variation) const {
+    const int side = 1 << level;
+    if (level == 0) return texel(finest(), x, y, variation);
+    const ScaleData& scale = scales_.back();
+    const V3f own = scale.whole.shares(x, y, side), dominant = scale.dominant.shares(x, y, side);
+    V3f taken(0);
+    for (const std::vector<V2i>& patch : scale.whole.patches_of(x, y, side)) {
+      V3f sum(0);
+      for (const Piece& piece : pieces(x * side, y * side, patch)) {
+        const Passed coarse = stacked(finest() - 1, Painter::floor_div(piece.center.x, scale.transfer.ratio),
+                                      Painter::floor_div(piece.center.y, scale.transfer.ratio), 1);
+        const float share = static_cast<float>(double{piece.taking} * piece.texels / side / side);
+        sum += (coarse.color - mean_of(scale, piece.middle, variation)) * (coarse.giving * share);
+      }
+      taken += sum;
+    }
+    const V3f kept = variation == 1 ? own : variation == 0 ? dominant : dominant + (own - dominant) * variation;
+    return kept + taken;
+  }
+
+ private:
+  struct ScaleData {
+    const ScaleTile& tile;
+    const ScaleTransfer& transfer;
+    std::vector<V3f> dominants;
+    SmallTile gained_tile, dominant_tile;
+    Painter painter;
+    LevelPainter whole, dominant;
+    V3f mean_of_dominants{0}, mean_of_all{0};
+    std::vector<float> giving = {};
+
+    ScaleData(const ScaleTile& t, const ScaleTransfer& how, uint32_t seed)
+        : tile(t),
+          transfer(how),
+          dominants(dominants_of(t)),
+          gained_tile(with_base(t.tile, gained(t, how, dominants))),
+          dominant_tile(with_base(t.tile, dominant_base(t, dominants))),
+          painter(t.tile, seed),
+          whole(gained_tile, seed),
+          dominant(dominant_tile, seed),
+          mean_of_dominants(mean(dominant_tile.base)),
+          mean_of_all(mean(gained_tile.base)) {}
+    ScaleData(const ScaleData&) = delete;
+  };
+
+  /// A colour, and the share of it that a finer scale gets.
+  struct Passed {
+    V3f color{0};
+    float giving = 1;
+  };
+
+  /// The part of a block that one fragment has: its centre in the infinite texture and in the tile, and its texels.
+  struct Piece {
+    Imath::Vec2<int64_t> center;
+    V2i middle;
+    float taking;
+    int texels;
+  };
+
+  static float entry(const std::vector<float>& list, size_t i) { return list.empty() ? 1.0f : list[i]; }
+
+  static std::vector<V3f> dominants_of(const ScaleTile& tile) {
+    std::vector<V3f> colors;
+    for (const ColorClass& c : tile.colors.palette.classes) colors.push_back(linear_from_luv(c.dominant));
+    return colors;
+  }
+  static SmallTile with_base(const SmallTile& tile, Image<V3f> base) {
+    return {std::move(base), {copy(tile.patches.partition)}, tile.contents};
+  }
+  static Partition copy(const Partition& p) { return {p.idx.clone(), p.owner.clone(), p.centers, p.areas_px}; }
+  static V3f varied(const V3f& dominant, const V3f& color, float kept) {
+    return kept == 1 ? color : dominant + (color - dominant) * kept;
+  }
+  static Image<V3f> gained(const ScaleTile& t, const ScaleTransfer& how, const std::vector<V3f>& dominants) {
+    Image<V3f> base = t.tile.base.clone();
+    for (size_t i = 0; i < base.size(); ++i) {
+      const uint8_t k = t.colors.index.data()[i];
+      base.data()[i] = varied(dominants[k], base.data()[i], entry(how.detail_gains, k));
+    }
+    return base;
+  }
+  static Image<V3f> dominant_base(const ScaleTile& t, const std::vector<V3f>& dominants) {
+    Image<V3f> base(t.tile.base.width(), t.tile.base.height());
+    for (size_t i = 0; i < base.size(); ++i) base.data()[i] = dominants[t.colors.index.data()[i]];
+    return base;
+  }
+  /// Sums of so few floats are exact in double.
+  static V3f mean(const Image<V3f>& base) {
     Imath::V3d sum(0);
     for (const V3f& color : base) sum += Imath::V3d(color);
     return V3f(sum / static_cast<double>(base.size()));
   }
 
-  const ScaleTile& coarse_;
-  const ScaleTile& fine_;
-  const ScaleTransfer& transfer_;
-  Painter coarse_painter_, fine_painter_;
-  V3f fine_mean_;
+  /// What the coarser colour replaces where the texel `middle` of the tile shows.
+  static V3f mean_of(const ScaleData& scale, V2i middle, float variation) {
+    const V3f all = varied(scale.mean_of_dominants, scale.mean_of_all, variation);
+    if (scale.transfer.detail_mean == DetailMean::tile) return all;
+    const int ratio = scale.transfer.ratio;
+    const V2i n = scale.tile.tile.size();
+    Imath::V3d sum(0);
+    for (int dy = 0; dy < ratio; ++dy)
+      for (int dx = 0; dx < ratio; ++dx) {
+        const V2i at = wrap(middle + V2i(dx - ratio / 2, dy - ratio / 2), n);
+        sum += Imath::V3d(scale.gained_tile.base(at.x, at.y));
+      }
+    return V3f(sum / (double{1} * ratio * ratio)) + (all - scale.mean_of_all);
+  }
+
+  /// Where the fragment has its centre that shows at a texel: a turned content turns it back, by integers.
+  Piece piece_at(const ScaleData& scale, int64_t x, int64_t y, const Painting& own) const {
+    const V2i source = own.source(0, 0), n = scale.tile.tile.size();
+    const Partition& fragments = scale.tile.fragments.partition;
+    const uint32_t fragment = fragments.idx(source.x, source.y);
+    const OwnerOffset owner = fragments.owner(source.x, source.y);
+    const V2i way = fragments.centers[fragment] + V2i(owner.x * n.x, owner.y * n.y) - source;
+    const uint32_t class_idx = scale.tile.fragments.fragments[fragment].class_idx;
+    Piece piece{{x + way.x, y + way.y}, wrap(source + way, n), entry(scale.transfer.weights, class_idx), 1};
+    const Content& content = scale.tile.tile.contents.at(own.patch(0, 0), own.content(0, 0));
+    if (content.a == 65536 && content.b == 0) return piece;
+
+    const Partition& patches = scale.tile.tile.patches.partition;
+    const int64_t kx = Painter::floor_div(x, n.x), ky = Painter::floor_div(y, n.y);
+    const OwnerOffset home = patches.owner(static_cast<int>(x - kx * n.x), static_cast<int>(y - ky * n.y));
+    const V2i c = patches.centers[static_cast<size_t>(own.patch(0, 0))];
+    const int64_t cx = (kx + home.x) * n.x + c.x, cy = (ky + home.y) * n.y + c.y;
+    const int64_t a = content.a, b = content.b;
+    const auto lambda = static_cast<int64_t>(content.scale * 65536);
+    const int64_t ux = Painter::floor_div(a * (x - cx) - b * (y - cy) + 32768, 65536) + way.x;
+    const int64_t uy = Painter::floor_div(b * (x - cx) + a * (y - cy) + 32768, 65536) + way.y;
+    const int64_t square = Painter::floor_div((lambda / 2) * (lambda / 2), 32768);
+    const int64_t back_a = Painter::floor_div(Painter::floor_div(a, 4) * square, 32768);
+    const int64_t back_b = Painter::floor_div(Painter::floor_div(b, 4) * square, 32768);
+    piece.center = {cx + Painter::floor_div(back_a * ux + back_b * uy + 8192, 16384),
+                    cy + Painter::floor_div(back_a * uy - back_b * ux + 8192, 16384)};
+    return piece;
+  }
+
+  Passed stacked(int finest, int64_t x, int64_t y, float variation) const {
+    Passed passed;
+    V3f mean(0);
+    float weight = 1, share = variation;
+    for (int s = finest; s >= 0; --s) {
+      const ScaleData& scale = scales_[static_cast<size_t>(s)];
+      const Painting own = scale.painter.paint(x, y, 1, 1);
+      const V2i source = own.source(0, 0);
+      const uint8_t k = scale.tile.colors.index(source.x, source.y);
+      const V3f color = varied(scale.dominants[k], own.color(0, 0), share * entry(scale.transfer.detail_gains, k));
+      const float giving = entry(scale.giving, k);
+      if (s == finest) {
+        passed = {color, giving};
+      } else {
+        weight *= giving;
+        passed.color += (color - mean) * weight;
+      }
+      if (s == 0) break;
+      const Piece piece = piece_at(scale, x, y, own);
+      weight *= piece.taking;
+      mean = mean_of(scale, piece.middle, share);
+      share = 1;
+      x = Painter::floor_div(piece.center.x, scale.transfer.ratio);
+      y = Painter::floor_div(piece.center.y, scale.transfer.ratio);
+    }
+    return passed;
+  }
+
+  /// The fragments that some texels of the finest scale show, each once, as the texels bring them.
+  std::vector<Piece> pieces(int64_t left, int64_t top, const std::vector<V2i>& texels) const {
+    std::vector<Piece> found;
+    for (const V2i& p : texels) {
+      const int64_t x = left + p.x, y = top + p.y;
+      const Piece piece = piece_at(scales_.back(), x, y, scales_.back().painter.paint(x, y, 1, 1));
+      const auto same = [&](const Piece& other) {
+        return other.center == piece.center && other.middle == piece.middle;
+      };
+      const auto known = std::find_if(found.begin(), found.end(), same);
+      if (known == found.end())
+        found.push_back(piece);
+      else
+        ++known->texels;
+    }
+    return found;
+  }
+
+  /// Between the four blocks of a side around a point.
+  template <class Block>
+  static V3f between(int64_t x_256, int64_t y_256, int64_t side_256, const Block& block) {
+    const int64_t u = x_256 - side_256 / 2, v = y_256 - side_256 / 2;
+    const int64_t x = Painter::floor_div(u, side_256), y = Painter::floor_div(v, side_256);
+    const auto weight = [&](int64_t rest) { return static_cast<double>(rest * 256 / side_256) / 256; };
+    return Painter::blend(block(x, y), block(x + 1, y), block(x, y + 1), block(x + 1, y + 1), weight(u - x * side_256),
+                          weight(v - y * side_256));
+  }
+
+  std::deque<ScaleData> scales_;  // coarse to fine; they refer to parts of themselves, and stay where they are
 };
 
 }  // namespace texbake

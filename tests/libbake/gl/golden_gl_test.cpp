@@ -38,15 +38,25 @@ TEST(GoldenGl, TheShaderGivesEveryVectorOfAStack) {
   for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
     const auto context = test_context(language);
     if (!context) GTEST_SKIP() << "no OpenGL";
-    const GoldenStack golden = read_golden_stack();
-    GlStackRenderer renderer(*context, golden.planes);
-    for (const GoldenStackPoint& point : golden.points) {
-      const Window nearest = point.near.window(Filter::nearest), bilinear = point.near.window(Filter::bilinear);
-      const Frame frame = renderer.draw(nearest, point.view());
-      EXPECT_EQ(frame.decisions(0, 0), point.near.decision);
-      EXPECT_EQ(color_at(frame), point.near.nearest);
-      EXPECT_EQ(color_at(renderer.draw(bilinear, point.view())), point.near.bilinear);
-      EXPECT_EQ(color_at(renderer.draw(bilinear, point.faded_view())), point.faded);
+    for (const char* name : kGoldenStackNames) {
+      const GoldenStack golden = read_golden_stack(name);
+      const int finest = golden.planes.finest();
+      GlStackRenderer renderer(*context, golden.planes);
+      std::optional<GlStackRenderer> with_relief;
+      if (golden.relief) with_relief.emplace(*context, golden.planes, &*golden.relief);
+      for (const GoldenStackPoint& point : golden.points) {
+        const Window nearest = point.near.window(Filter::nearest), bilinear = point.near.window(Filter::bilinear);
+        const Frame frame = renderer.draw(nearest, point.view(finest));
+        EXPECT_EQ(frame.decisions(0, 0), point.near.decision) << name;
+        EXPECT_EQ(color_at(frame), point.near.nearest) << name;
+        EXPECT_EQ(color_at(renderer.draw(bilinear, point.view(finest))), point.near.bilinear) << name;
+        EXPECT_EQ(color_at(renderer.draw(bilinear, point.faded_view(finest))), point.faded) << name;
+        EXPECT_EQ(color_at(renderer.draw(bilinear, point.leveled_view(finest))), point.near.trilinear) << name;
+        if (!with_relief) continue;
+        const Frame lit = with_relief->draw(bilinear, point.view(finest), point.viewer);
+        EXPECT_EQ(lit.decisions(0, 0), point.relief_decision(finest)) << name;
+        EXPECT_EQ(color_at(lit), point.lit) << name;
+      }
     }
   }
 }
