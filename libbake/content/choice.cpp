@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 #include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/base/random.h"
 #include "libbake/content/border_steps.h"
-#include "libbake/content/low_passed.h"
+#include "libbake/content/cell_grid.h"
+#include "libbake/content/far_view.h"
 #include "libbake/content/shown_source.h"
 
 namespace texbake {
 namespace {
 
 constexpr int kMaxPasses = 12;
+constexpr double kUnseen = 0.2;  // ΔE, amplitude: less is not seen from afar, however flat the tile
+constexpr int kUseCells = 64;    // along the tile's shorter side, in which use is counted
 
 // Content numbers: 0 is the identity, 1 + i is candidate i.
 std::vector<std::vector<Content>> numbered(const ContentCandidates& candidates) {
@@ -28,46 +30,50 @@ std::vector<std::vector<Content>> numbered(const ContentCandidates& candidates) 
   return contents;
 }
 
+CellGrid use_grid(V2i size) {
+  const int side = std::min(size.x, size.y);
+  const auto cells_along = [&](int n) { return std::min(n, (n * kUseCells + side / 2) / side); };
+  return {size, {cells_along(size.x), cells_along(size.y)}};
+}
+
 // Everything that the balanced choice knows of one patch.
 struct PatchState {
   std::vector<V2i> middles_px;               // of the cells whose middle texel belongs to the patch
   std::vector<std::vector<uint32_t>> cells;  // that show there, with every content number
-  std::vector<std::vector<V3f>> colors;      // z_c of the cells
-  std::vector<double> energies;              // Σ_x |z|² of every content number
+  std::vector<FarField> shown;               // with every content number
+  std::vector<double> energies;              // of `shown`, from afar
   std::vector<double> impacts;               // relative to the mean over the candidates
   std::vector<int> chosen;                   // content numbers, the identity first
-  std::vector<V3f> sum;                      // Σ_c z_c(x) over the chosen
-  double energy_sum = 0;                     // Σ_c Σ_x |z_c|²
+  FarField sum;                              // of `shown` over the chosen
+  double energy_sum = 0;                     // of `energies` over the chosen
 };
 
 class BalancedChoice {
  public:
   BalancedChoice(const ContentCandidates& candidates, ImageView<const V3f> luv, const Partition& patches,
                  const ChoiceWeights& weights)
-      : low_(low_passed(luv)),
+      : view_(luv, patches),
+        grid_(use_grid(patches.size())),
         weights_(weights),
-        use_(low_.color.size(), 0),
+        use_(static_cast<size_t>(grid_.cells.x * grid_.cells.y), 0),
         patches_(candidates.size()),
+        mean_(view_.blank()),
+        unseen_(kUnseen * kUnseen * static_cast<double>(mean_.colors.size())),
         numbered_(numbered(candidates)),
         steps_(numbered_, luv, patches) {
-    for (int y = 0; y < low_.grid.cells.y; ++y)
-      for (int x = 0; x < low_.grid.cells.x; ++x) {
-        const V2i p = low_.grid.middle_px({x, y});
+    for (int y = 0; y < grid_.cells.y; ++y)
+      for (int x = 0; x < grid_.cells.x; ++x) {
+        const V2i p = grid_.middle_px({x, y});
         patches_[patches.idx(p.x, p.y)].middles_px.push_back(p);
       }
-    std::map<float, LowPassed> low_of_scale;
-    for (size_t p = 0; p < candidates.size(); ++p) {
-      PatchState& patch = patches_[p];
-      patch.sum.assign(patch.middles_px.size(), V3f(0));
-      add_number(patches, static_cast<uint32_t>(p), Content{}, low_);
-      for (const Content& candidate : candidates[p]) {
-        auto low = low_of_scale.find(candidate.scale);
-        if (low == low_of_scale.end())
-          low = low_of_scale.emplace(candidate.scale, low_passed(luv, candidate.scale)).first;
-        add_number(patches, static_cast<uint32_t>(p), candidate, low->second);
-      }
-      find_impacts(candidates[p], patch);
-    }
+    parallel_for(0, static_cast<int>(patches_.size()), [&](int p) {
+      PatchState& patch = patches_[static_cast<size_t>(p)];
+      for (const Content& content : numbered_[static_cast<size_t>(p)])
+        add_number(patches, static_cast<uint32_t>(p), content);
+      patch.sum = patch.shown[0];
+      patch.sum *= 0.0f;
+      find_impacts(candidates[static_cast<size_t>(p)], patch);
+    });
   }
 
   ChosenCandidates choose(int wanted, uint32_t seed) {
@@ -108,19 +114,15 @@ class BalancedChoice {
     double cost = std::numeric_limits<double>::infinity();
   };
 
-  void add_number(const Partition& patches, uint32_t idx, const Content& content, const LowPassed& low) {
+  void add_number(const Partition& patches, uint32_t idx, const Content& content) {
     PatchState& patch = patches_[idx];
     std::vector<uint32_t>& cells = patch.cells.emplace_back();
-    std::vector<V3f>& colors = patch.colors.emplace_back();
-    double energy = 0.0;
     for (const V2i& p : patch.middles_px) {
-      const V2i source = shown_source(patches, idx, p, content);
-      const V2i cell = low.grid.cell_of(source);
-      cells.push_back(static_cast<uint32_t>(cell.y * low.grid.cells.x + cell.x));
-      colors.push_back(low.at(source));
-      energy += static_cast<double>(colors.back().length2());
+      const V2i cell = grid_.cell_of(shown_source(patches, idx, p, content));
+      cells.push_back(static_cast<uint32_t>(cell.y * grid_.cells.x + cell.x));
     }
-    patch.energies.push_back(energy);
+    patch.shown.push_back(view_.shown(idx, content));
+    patch.energies.push_back(view_.energy(patch.shown.back()));
   }
 
   static void find_impacts(const std::vector<Content>& candidates, PatchState& patch) {
@@ -135,52 +137,71 @@ class BalancedChoice {
   void count_use(const PatchState& patch, int number, int change) {
     for (const uint32_t cell : patch.cells[static_cast<size_t>(number)]) use_[cell] += change;
   }
+  // What the patch shows, averaged over its contents, is part of the mean of the whole.
+  void add_to_mean(const PatchState& patch, float sign) {
+    if (patch.chosen.empty()) return;
+    FarField part = patch.sum;
+    part *= sign / static_cast<float>(patch.chosen.size());
+    view_.add(part, mean_);
+  }
   void add(PatchState& patch, int number) {
+    add_to_mean(patch, -1.0f);
     patch.chosen.push_back(number);
-    const std::vector<V3f>& z = patch.colors[static_cast<size_t>(number)];
-    for (size_t i = 0; i < z.size(); ++i) patch.sum[i] += z[i];
+    patch.sum += patch.shown[static_cast<size_t>(number)];
     patch.energy_sum += patch.energies[static_cast<size_t>(number)];
+    add_to_mean(patch, 1.0f);
     count_use(patch, number, 1);
   }
   void remove(PatchState& patch, int number) {
+    add_to_mean(patch, -1.0f);
     patch.chosen.erase(std::find(patch.chosen.begin(), patch.chosen.end(), number));
-    const std::vector<V3f>& z = patch.colors[static_cast<size_t>(number)];
-    for (size_t i = 0; i < z.size(); ++i) patch.sum[i] -= z[i];
+    FarField gone = patch.shown[static_cast<size_t>(number)];
+    gone *= -1.0f;
+    patch.sum += gone;
     patch.energy_sum -= patch.energies[static_cast<size_t>(number)];
+    add_to_mean(patch, 1.0f);
     count_use(patch, number, -1);
   }
 
+  // B² of the mean of the whole, at the cells of a patch, if it had one content more that shows nothing.
+  FarField surroundings(const PatchState& patch) const {
+    FarField change = patch.sum;
+    const auto count = static_cast<float>(patch.chosen.size());
+    change *= 1.0f / (count + 1.0f) - 1.0f / count;
+    FarField rest = mean_;
+    view_.add(change, rest);
+    return view_.blurred_twice(rest, patch.sum);
+  }
+
   // What the objective rises by when `number` joins the patch, less what does not depend on `number`.
-  double cost_of(size_t p, int number) const {
+  double cost_of(size_t p, int number, const FarField& surroundings) const {
     const PatchState& patch = patches_[p];
+    const auto n = static_cast<size_t>(number);
     const auto count = static_cast<double>(patch.chosen.size() + 1);
-    double mean_energy = 0.0;
     double use = 0.0;
-    const std::vector<V3f>& z = patch.colors[static_cast<size_t>(number)];
-    const std::vector<uint32_t>& cells = patch.cells[static_cast<size_t>(number)];
-    for (size_t i = 0; i < z.size(); ++i) {
-      mean_energy += static_cast<double>((patch.sum[i] + z[i]).length2());
-      use += 2.0 * (static_cast<double>(use_[cells[i]]) - mean_use_) + 1.0;  // (u + 1 − m)² − (u − m)²
-    }
-    mean_energy /= count * count;
-    const double energy = (patch.energy_sum + patch.energies[static_cast<size_t>(number)]) / count;
-    const double tile_energy = low_.energy * static_cast<double>(z.size());
+    for (const uint32_t cell : patch.cells[n])
+      use += 2.0 * (static_cast<double>(use_[cell]) - mean_use_) + 1.0;  // (u + 1 − m)² − (u − m)²
+    const auto patch_count = static_cast<double>(patches_.size());
     // The step at a border is shared by two patches.
-    double cost = weights_.impact * patch.impacts[static_cast<size_t>(number)] +
-                  weights_.steps * 2.0 / mean_use_ * steps_.visibility(p, static_cast<size_t>(number));
-    if (energy > 0.0 && tile_energy > 0.0)
-      cost += mean_energy / energy + 0.5 * std::fabs(portable_log(energy / tile_energy));
-    const auto places = static_cast<double>(use_.size());
-    return cost + weights_.use * static_cast<double>(patches_.size()) * use / (places * mean_use_ * mean_use_);
+    const double cost = weights_.impact * patch.impacts[n] +
+                        weights_.steps * 2.0 / mean_use_ * steps_.visibility(p, n) +
+                        weights_.use * patch_count * use / (static_cast<double>(use_.size()) * mean_use_ * mean_use_);
+    const double repeating = 2.0 * dot(surroundings, patch.shown[n]) / count + patch.energies[n] / (count * count);
+    const double energy = (patch.energy_sum + patch.energies[n]) / count;
+    const double share = view_.share_of(static_cast<uint32_t>(p));
+    const double fair = share * (view_.tile_energy() + unseen_);
+    return cost + weights_.balance * patch_count * repeating / (view_.tile_energy() + unseen_) +
+           (share > 0.0 ? weights_.energy * std::fabs(portable_log((energy + share * unseen_) / fair)) : 0.0);
   }
 
   Addition best_addition(size_t p) const {
     const PatchState& patch = patches_[p];
+    const FarField around = surroundings(patch);
     const int numbers = static_cast<int>(patch.cells.size());
     std::vector<double> costs(static_cast<size_t>(numbers), Addition{}.cost);
     parallel_for(1, numbers, [&](int number) {
       if (std::find(patch.chosen.begin(), patch.chosen.end(), number) == patch.chosen.end())
-        costs[static_cast<size_t>(number)] = cost_of(p, number);
+        costs[static_cast<size_t>(number)] = cost_of(p, number, around);
     });
     const auto best = std::min_element(costs.begin(), costs.end());
     return {static_cast<int>(best - costs.begin()), *best};
@@ -194,7 +215,7 @@ class BalancedChoice {
       for (const int number : before) {
         if (number == 0) continue;
         remove(patch, number);
-        const double kept = cost_of(p, number);
+        const double kept = cost_of(p, number, surroundings(patch));
         const Addition other = best_addition(p);
         const bool better = other.cost < kept - 1e-9;
         add(patch, better ? other.number : number);
@@ -207,10 +228,13 @@ class BalancedChoice {
     return improved;
   }
 
-  LowPassed low_;
+  FarView view_;
+  CellGrid grid_;
   ChoiceWeights weights_;
   std::vector<int> use_;  // of each cell
   std::vector<PatchState> patches_;
+  FarField mean_;  // what all patches show, averaged over their contents
+  double unseen_;  // energy of the whole
   std::vector<std::vector<Content>> numbered_;
   BorderSteps steps_;
   double mean_use_ = 1;

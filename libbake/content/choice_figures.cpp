@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 #include "libbake/base/parallel.h"
-#include "libbake/content/low_passed.h"
+#include "libbake/content/far_view.h"
 #include "libbake/content/shown_source.h"
 
 namespace texbake {
@@ -62,23 +62,28 @@ double repetition_near(const ContentTable& table, ImageView<const V3f> luv, cons
   return total.repetition();
 }
 
-// On the cells of the low-passed tile.
 double repetition_far(const ContentTable& table, ImageView<const V3f> luv, const Partition& patches) {
-  std::map<float, LowPassed> low_of_scale;
-  for (const Content& content : table.contents)
-    if (!low_of_scale.contains(content.scale)) low_of_scale.emplace(content.scale, low_passed(luv, content.scale));
-  const CellGrid grid = low_of_scale.at(1.0f).grid;  // that of the identity, and of all
-  GSums sums;
-  for (int y = 0; y < grid.cells.y; ++y)
-    for (int x = 0; x < grid.cells.x; ++x) {
-      const V2i p = grid.middle_px({x, y});
-      const uint32_t patch = patches.idx(p.x, p.y);
-      const auto color_of = [&](const Content& content) {
-        return low_of_scale.at(content.scale).at(shown_source(patches, patch, p, content));
-      };
-      add_place(table.of(static_cast<int>(patch)), color_of, sums);
+  const FarView view(luv, patches);
+  FarField mean = view.blank();
+  double varying = 0.0;  // contents are drawn for each patch by itself, so their variances add up
+  for (uint32_t patch = 0; patch < static_cast<uint32_t>(patches.count()); ++patch) {
+    const auto contents = table.of(static_cast<int>(patch));
+    const float per_content = 1.0f / static_cast<float>(contents.size());
+    std::optional<FarField> of_patch;
+    for (const Content& content : contents) {
+      FarField shown = view.shown(patch, content);
+      varying += view.energy(shown) / static_cast<double>(contents.size());
+      shown *= per_content;
+      if (of_patch)
+        *of_patch += shown;
+      else
+        of_patch = std::move(shown);
     }
-  return sums.repetition();
+    varying -= view.energy(*of_patch);
+    view.add(*of_patch, mean);
+  }
+  const double shared = view.energy(mean);
+  return shared + varying > 0.0 ? shared / (shared + varying) : 0.0;
 }
 
 double use_deviation(const ContentTable& table, const Partition& patches) {

@@ -37,7 +37,7 @@ constexpr MeasureKind kKinds[] = {
     {Measure::predicted_near, "predictedNear", kRepetition, "Predicted, near", "",
      "Repetition near, foretold from the contents without drawing.", ""},
     {Measure::predicted_far, "predictedFar", kRepetition, "Predicted, far", "",
-     "Repetition far, foretold from the contents without drawing; rough.", ""},
+     "Repetition far, foretold from the contents without drawing.", ""},
 
     {Measure::band_finest, "bandFinest", kFidelity, "Amplitude 1/128-1/64", "",
      "Contrast of details of about 1/64 of the tile, over the exemplar's.", kBandAdvice},

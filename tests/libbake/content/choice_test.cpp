@@ -111,11 +111,11 @@ TEST(Choice, BalancedKeepsToLowImpactWhereTheRestIsEqual) {
 }
 
 TEST(Choice, BalancedKeepsBordersUnseenWhereAskedTo) {
-  // A picture of vertical stripes eight texels apart, and candidates half of which move by whole stripes.
+  // A picture of faint vertical stripes eight texels apart, and candidates half of which move by whole stripes.
   Image<V3f> luv(kSize, kSize);
   Random grain(8);
   for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) luv(x, y) = V3f((x / 4 % 2 ? 60.0f : 30.0f) + 2.0f * grain.uniform(), 0, 0);
+    for (int x = 0; x < kSize; ++x) luv(x, y) = V3f((x / 4 % 2 ? 45.2f : 44.8f) + 0.05f * grain.uniform(), 0, 0);
   const Partition patches = patches_of_tile();
   Random random(9);
   ContentCandidates candidates(kPatchCount);
