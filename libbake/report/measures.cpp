@@ -25,12 +25,12 @@ constexpr MeasureKind kKinds[] = {
 
     {Measure::repetition_near, "repetitionNear", kRepetition, "Repeats, near", "",
      "Share of all variation that returns with every tile: 1 periodic, 0 ideal, 1/contents at best here.",
-     "more contents for each patch: select-contents --count 7"},
+     "more contents for each patch: select-contents --count 12"},
     {Measure::repetition_mid, "repetitionMid", kRepetition, "Repeats, middle", "",
      "The same, seen from where 1/64 of the tile is one blur.", ""},
     {Measure::repetition_far, "repetitionFar", kRepetition, "Repeats, far", "",
      "The same from afar, where 1/16 of the tile is one blur: the grid that gives tiling away.",
-     "convert --flatten, or a larger choice: select-contents --candidates 120 --count 7"},
+     "convert --flatten, or a larger choice: select-contents --candidates 240 --count 12"},
     {Measure::amplitude_far, "amplitudeFar", kRepetition, "Grid amplitude, far", "ΔE",
      "How strong that grid is; below 0.7 hardly anybody sees it.",
      "convert --flatten takes out the shading that repeats"},
@@ -67,7 +67,7 @@ constexpr MeasureKind kKinds[] = {
 
     {Measure::color, "colorDistance", kFidelity, "Colours", "",
      "Distance of the colours' distribution from the exemplar's, in its standard deviations.",
-     "select-contents --candidates 120: more to choose from uses the exemplar more evenly"},
+     "select-contents --candidates 240: more to choose from uses the exemplar more evenly"},
     {Measure::spectrum, "spectrumDistance", kFidelity, "Spectrum", "dB",
      "How far grain and shapes of every size and direction are off in strength.",
      "more contents or candidates; noise layers: a smaller --local-size"},

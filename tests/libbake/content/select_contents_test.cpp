@@ -48,6 +48,7 @@ ContentSelection select(const Fixture& f, const SelectContentsOptions& options =
 TEST(SelectContents, GivesEveryPatchTheIdentityAndOthersFarFromIt) {
   const Fixture f;
   SelectContentsOptions options;
+  options.count = 5;
   options.separation_px = 10;
   const ContentTable table = select(f, options).table;
   EXPECT_EQ(table.patch_count, kPatchCount);
@@ -131,7 +132,7 @@ TEST(SelectContents, ResolvesWhatIsNotGivenFromTheTile) {
   EXPECT_EQ(resolve({}, 2048, 512).search, Search::refined);
   SelectContentsOptions impact;
   impact.choice = Choice::impact;
-  EXPECT_EQ(resolve(impact, 512, 512).candidates, 4);
+  EXPECT_EQ(resolve(impact, 512, 512).candidates, impact.count - 1);
   impact.candidates = 3;
   EXPECT_THROW(resolve(impact, 512, 512), Error);
 }
@@ -162,7 +163,7 @@ TEST(SelectContents, DeformsByDefaultOnlyWhereTheCallerSaysSo) {
   EXPECT_EQ(resolve({}, 512, 512).scales, 1);
   const SelectContentsOptions deformed = resolve(deforming({}), 512, 512);
   EXPECT_EQ(deformed.rotations, 2);  // half a turn keeps directions
-  EXPECT_EQ(deformed.scales, 1);  // plates and leaves keep their size
+  EXPECT_EQ(deformed.scales, 1);     // plates and leaves keep their size
   EXPECT_EQ(deformed.search, Search::refined);
   SelectContentsOptions asked;
   asked.rotations = 1;

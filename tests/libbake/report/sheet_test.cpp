@@ -49,8 +49,8 @@ TEST(ChoiceSheets, ShowEveryChoice) {
   EXPECT_NE(fragments.cells[0].label.find("--threshold"), std::string::npos);
   const Sheet contents = select_contents_sheet(colors, fixture.base, fixture.patches, {});
   ASSERT_EQ(contents.cells.size(), 9u);
-  EXPECT_NE(contents.cells[0].label.find("--count 3 --seed 1"), std::string::npos);
-  EXPECT_NE(contents.cells[8].label.find("--count 8 --seed 3"), std::string::npos);
+  EXPECT_NE(contents.cells[0].label.find("--count 6 --seed 1"), std::string::npos);
+  EXPECT_NE(contents.cells[8].label.find("--count 11 --seed 3"), std::string::npos);
 }
 
 TEST(ChoiceSheets, OfOneColourHasOnlyWhatThereIs) {
