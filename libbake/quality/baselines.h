@@ -35,7 +35,7 @@ Image<V3f> wang_baseline(ImageView<const V3f> exemplar, V2i tiles, uint32_t seed
 
 /// Hexagonal tiling: three weighted readings at randomly shifted places for each texel, with sharpened weights. The
 /// hexagon's side is a quarter of the exemplar's. Linear colours in, linear colours out.
-/// Based on: Mikkelsen 2022, "Practical Real-Time Hex-Tiling", without rotation.
-Image<V3f> hex_baseline(ImageView<const V3f> exemplar, int width_px, int height_px, uint32_t seed);
+/// Based on: Mikkelsen 2022, "Practical Real-Time Hex-Tiling", without rotation. Gives the rows begin … end−1.
+Image<V3f> hex_baseline_rows(ImageView<const V3f> exemplar, int width_px, int begin, int end, uint32_t seed);
 
 }  // namespace texbake

@@ -33,11 +33,11 @@ Image<V3f> periodic_baseline(ImageView<const V3f> exemplar, int width_px, int he
   return picture;
 }
 
-Image<V3f> hex_baseline(ImageView<const V3f> exemplar, int width_px, int height_px, uint32_t seed) {
+Image<V3f> hex_baseline_rows(ImageView<const V3f> exemplar, int width_px, int begin, int end, uint32_t seed) {
   const V2i size(exemplar.width(), exemplar.height());
   const double side_px = std::max(std::min(size.x, size.y) / 4.0, 1.0);
-  Image<V3f> picture(width_px, height_px);
-  parallel_for(0, height_px, [&](int y) {
+  Image<V3f> rows(width_px, end - begin);
+  parallel_for(begin, end, [&](int y) {
     for (int x = 0; x < width_px; ++x) {
       // Skewed coordinates: the corners of the triangles are the integers.
       const double v = y / (side_px * 0.86602540378443864676);
@@ -60,10 +60,10 @@ Image<V3f> hex_baseline(ImageView<const V3f> exemplar, int width_px, int height_
         sum += color * static_cast<float>(weight);
         weights += weight;
       }
-      picture(x, y) = sum / static_cast<float>(weights);
+      rows(x, y - begin) = sum / static_cast<float>(weights);
     }
   });
-  return picture;
+  return rows;
 }
 
 }  // namespace texbake

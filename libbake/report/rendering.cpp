@@ -67,7 +67,8 @@ Image<V3f> wang_luv(ImageView<const V3f> tile_luv, V2i tiles, uint32_t seed) {
 
 Image<V3f> hex_luv(ImageView<const V3f> tile_linear, V2i tiles, uint32_t seed) {
   const V2i size(tile_linear.width() * tiles.x, tile_linear.height() * tiles.y);
-  return luv_from_linear(hex_baseline(tile_linear, size.x, size.y, seed));
+  return luv_by_strips(size,
+                       [&](int begin, int end) { return hex_baseline_rows(tile_linear, size.x, begin, end, seed); });
 }
 
 RenderingSources bundle_sources(const EvaluatorPlanes& planes, V2i tiles, uint32_t seed) {

@@ -55,11 +55,18 @@ TEST(Baselines, WangTilingShowsItsSources) {
 }
 
 TEST(Baselines, HexTilingDoesNotRepeat) {
-  EXPECT_NEAR(repetition(hex_baseline(grain(64, 64), 384, 384, 1), {64, 64}, 0.0)->share, 0.0, 0.03);
+  EXPECT_NEAR(repetition(hex_baseline_rows(grain(64, 64), 384, 0, 384, 1), {64, 64}, 0.0)->share, 0.0, 0.03);
+}
+
+TEST(Baselines, HexTilingIsTheSameByStrips) {
+  const Image<V3f> exemplar = grain(64, 64);
+  const Image<V3f> whole = hex_baseline_rows(exemplar, 100, 0, 50, 1);
+  const Image<V3f> strip = hex_baseline_rows(exemplar, 100, 20, 50, 1);
+  EXPECT_TRUE(std::equal(strip.begin(), strip.end(), whole.row(20)));
 }
 
 TEST(Baselines, HexTilingOfAConstantIsTheConstant) {
-  for (const V3f& c : hex_baseline(Image<V3f>(16, 16, V3f(0.25f, 0.5f, 0.75f)), 40, 30, 1)) {
+  for (const V3f& c : hex_baseline_rows(Image<V3f>(16, 16, V3f(0.25f, 0.5f, 0.75f)), 40, 0, 30, 1)) {
     EXPECT_NEAR(c.x, 0.25f, 1e-6f);  // weights sum to one within float rounding
     EXPECT_NEAR(c.z, 0.75f, 1e-6f);
   }
