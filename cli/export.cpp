@@ -24,7 +24,7 @@ struct ExportOptions {
                                .min = 0,
                                .max = 1024,
                                .help = "of the coarsest scale between height 0 and 1; 0: flat and unlit",
-                               .auto_help = "1/32 of the shorter side, in stacks with heights"});
+                               .auto_help = "1/32 of the shorter side, where there are heights"});
   }
 };
 
@@ -51,7 +51,8 @@ bool is_stack(const Bundle& bundle, const ExportOptions& options) {
   const bool is_asked = options.depth_px.value_or(0) > 0;
   if (bundle.noise && is_asked)
     throw Error(ErrorKind::usage, "--relief: expected a bundle without noise: relief is drawn without grain");
-  return is_asked;
+  const bool has_heights = bundle.scales.front().height.has_value() && options.depth_px.value_or(1) > 0;
+  return !bundle.noise && (is_asked || has_heights);
 }
 
 Outcome run(const Request& request, Console& console) {

@@ -84,14 +84,16 @@ Shares shares_of(sampler2D values, uvec4 block, uvec2 tile, bool weighed) {
 
 vec4 shares_value(sampler2D values, uvec4 block, uvec2 tile) { return shares_of(values, block, tile, false).value; }
 
+// A texel as a block, where borders are soft.
+uvec4 shared_texel(Texel at) { return texelFetch(level_blocks, ivec2(at.p.x, at.p.y + block_row), 0); }
+
 // A texel of the infinite texture. Where borders of patches are soft, those on them have shares. Noise is added last.
 vec4 texel_value(sampler2D plane, int kind, sampler2D values, Texel at) {
   bool has_noise = kind == 4 && noise_size > 0;
-  bool is_shared = first_level == 0 && (texelFetch(level_blocks, at.p, 0).y >> 20u) != 0u;
-  if (is_shared && !has_noise) return shares_value(values, texelFetch(level_blocks, at.p, 0), at.tile);
+  bool is_shared = first_level == 0 && (shared_texel(at).y >> 20u) != 0u;
+  if (is_shared && !has_noise) return shares_value(values, shared_texel(at), at.tile);
   Source source = source_of(at, decide(at));
-  vec4 value = is_shared ? shares_value(values, texelFetch(level_blocks, at.p, 0), at.tile)
-                         : kind_value(plane, kind, source);
+  vec4 value = is_shared ? shares_value(values, shared_texel(at), at.tile) : kind_value(plane, kind, source);
   if (has_noise) return with_noise(value, source_weights(source), noise_place(at));
   return value;
 }

@@ -2,7 +2,8 @@
 // Based on: Vanhoey et al. 2013, §6, eq. 5, Fig. 6. Needs sample.glsl and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
 //
 // One texture holds the planes of all scales, one below the other; `use_scale` says which of them the functions of
-// content.glsl and sample.glsl read: it sets tile_size, content_count, seed, plane_row and first_patch.
+// content.glsl and sample.glsl read: it sets tile_size, content_count, seed, plane_row and first_patch; `use_levels` says
+// the same to those of levels.glsl.
 
 void use_scale(int scale) {
   ivec4 plane = texelFetch(scale_table, ivec2(0, scale), 0);
@@ -14,7 +15,21 @@ void use_scale(int scale) {
   ratio = table.y;
   first_class = table.z;
   transfer_bits = table.w;
+  first_level = (transfer_bits & 64) != 0 ? 0 : 1;
   seed = stack_seed + uint(scale_count - 1 - scale) * 2654435769u;
+}
+
+// Beside use_scale: where the levels of a scale begin.
+void use_levels(int scale) {
+  ivec4 lists = texelFetch(scale_table, ivec2(2, scale), 0);
+  ivec4 values = texelFetch(scale_table, ivec2(3, scale), 0);
+  level_row = lists.x;
+  block_row = lists.y;
+  entry_row = lists.z;
+  level_count = lists.w;
+  value_row = values.x;
+  dominant_row = values.y;
+  share_row = values.z;
 }
 
 // a / b, rounded down, for b > 0: `/` of negative integers differs between languages.
@@ -130,8 +145,32 @@ struct Shown {
   Texel anchor;   // texel of this scale at whose place the coarser colour is read; p may lie outside the tile
 };
 
+// What the patches of a texel on a soft border show there of `scale`, which is in use, whatever levels are. `alone` is what
+// its own patch shows, which is all of it elsewhere.
+vec4 shared_color(int scale, Texel at, float share, vec4 alone) {
+  ivec4 lists = texelFetch(scale_table, ivec2(2, scale), 0);
+  uvec4 block = texelFetch(level_blocks, ivec2(at.p.x, at.p.y + lists.y), 0);
+  if ((block.y >> 20u) == 0u) return alone;
+  ivec4 values = texelFetch(scale_table, ivec2(3, scale), 0);
+  ivec2 rows = ivec2(entry_row, value_row);
+  entry_row = lists.z;
+  vec4 whole = alone;
+  vec4 dominant = alone;
+  for (int i = 0; i < 2; ++i) {
+    if (share == (i == 0 ? 0.0f : 1.0f)) continue;
+    value_row = i == 0 ? values.x : values.y;
+    vec4 shown = shares_value(base_levels, block, at.tile);
+    if (i == 0) whole = shown;
+    else dominant = shown;
+  }
+  entry_row = rows.x;
+  value_row = rows.y;
+  return share == 1.0f ? whole : share == 0.0f ? dominant : lerp(dominant, whole, share);
+}
+
 // Of `scale`, which is in use. Bits: 1, 2 mode (0 fragment, 1 texel, 2 bilinear); 4 local mean; 8 without variation of
-// its own; 16 the coarser without variation; 32 labels are read in the coarsest scale too.
+// its own; 16 the coarser without variation; 32 labels are read in the coarsest scale too; 64 soft borders. The coarser
+// colour is that of the texel's own patch.
 Shown shown_texel(int scale, Texel at, float variation) {
   float share = (transfer_bits & 8) != 0 ? 0.0f : variation;
   Decision decision = decide(at);
@@ -141,6 +180,7 @@ Shown shown_texel(int scale, Texel at, float variation) {
     labels = texelFetch(fragment_plane, ivec2(source.nearest.x, source.nearest.y + plane_row), 0);
   Shown shown;
   shown.color = with_variation(source_value(base, source), labels.w, share);
+  if (first_level == 0) shown.color = shared_color(scale, at, share, shown.color);
   shown.giving = texelFetch(class_table, ivec2(first_class + labels.w, 1), 0).y;
   shown.taking = texelFetch(class_table, ivec2(first_class + labels.z, 1), 0).x;
   shown.anchor = at;
@@ -216,8 +256,8 @@ vec4 coarser_between(int scale, Position at, float coarser_share) {
   return lerp(upper, lower, weight_of(corner.offset.y & 255));
 }
 
-// The discrete function of a scale: what its texel `at` shows. Leaves another scale in use.
-vec4 scale_texel(int scale, Texel at, float variation) {
+// What a texel `at` of a scale shows that belongs to one patch. Leaves another scale in use.
+vec4 hard_texel(int scale, Texel at, float variation) {
   use_scale(scale);
   if (scale == 0 || (transfer_bits & 3) != 2) return without_w(stacked_texel(scale, at, variation));
   Shown shown = shown_texel(scale, at, variation);

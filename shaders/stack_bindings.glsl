@@ -34,6 +34,7 @@ int level_row;
 int block_row;
 int entry_row;
 int level_count;
+int first_level;
 int value_row;
 int dominant_row;
 int share_row;
@@ -42,8 +43,7 @@ int kept_scale = -1;
 uvec2 kept_tile;
 ivec2 kept_p;
 vec4 kept_color;
-// A stack has hard borders of patches, and no noise beside its colours.
-const int first_level = 1;
+// A stack has no noise beside its colours.
 const int noise_size = 0;
 // What noise would read is not read, and takes no textures of its own: with relief there are 16, what every driver has.
 #define masks patch_plane

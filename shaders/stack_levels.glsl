@@ -3,19 +3,6 @@
 // Based on: Lutz et al. 2019, for levels; Vanhoey et al. 2013, eq. 5, averaged over a block. Needs levels.glsl, scales.glsl
 // and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
 
-// Beside use_scale: where the levels of a scale begin.
-void use_levels(int scale) {
-  ivec4 lists = texelFetch(scale_table, ivec2(2, scale), 0);
-  ivec4 values = texelFetch(scale_table, ivec2(3, scale), 0);
-  level_row = lists.x;
-  block_row = lists.y;
-  entry_row = lists.z;
-  level_count = lists.w;
-  value_row = values.x;
-  dominant_row = values.y;
-  share_row = values.z;
-}
-
 // What stacked_texel gives of the scale before `scale` at the texel that holds `center`. The last answer is kept: blocks
 // and probes side by side mostly see one fragment. Leaves `scale` in use.
 vec4 coarser_color(int scale, Texel center, float coarser_share) {
@@ -96,15 +83,19 @@ vec4 taken_as_whole(int scale, Texel block, Grid grid, float share, float coarse
   return taken;
 }
 
-// A block of `scale`, which is in use: the mean of what its texels show. May leave another scale in use.
+// A block of `scale`, which is in use with its levels: the mean of what its texels show. A texel on a soft border is a
+// block of several patches. May leave another scale in use.
 vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
-  if (grid.corner.x < 0) return scale_texel(scale, block, variation);
+  bool is_texel = grid.corner.x < 0;
+  if (is_texel && first_level == 1) return hard_texel(scale, block, variation);
+  ivec2 corner = is_texel ? ivec2(0, block_row) : grid.corner;
+  uvec4 found = texelFetch(level_blocks, ivec2(corner.x + block.p.x, corner.y + block.p.y), 0);
+  if (is_texel && (found.y >> 20u) == 0u) return hard_texel(scale, block, variation);
   float share = (transfer_bits & 8) != 0 ? 0.0f : variation;
   float coarser_share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
   bool by_fragment = scale > 0 && (transfer_bits & 3) == 0;
 
   // Shares of the base, of the dominant colours, and of the coarser colours, patch by patch.
-  uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
   uvec2 owned = uvec2(found.y & 65535u, (found.y >> 16u) & 15u);
   uint end = found.x + (found.y >> 20u);
   PRECISE vec4 whole = vec4(0.0f, 0.0f, 0.0f, 0.0f);
@@ -128,6 +119,13 @@ vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
   }
   PRECISE vec4 arrived = without_w(own) + taken;
   return arrived;
+}
+
+// The discrete function of a scale: what its texel `at` shows. May leave another scale in use.
+vec4 scale_texel(int scale, Texel at, float variation) {
+  use_scale(scale);
+  use_levels(scale);
+  return scale_block(scale, at, grid_of(0), variation);
 }
 
 // A point of one scale at a level of detail: between the four blocks around it or, where `smooth_filter` is 0, the one in

@@ -46,7 +46,7 @@ class Builder {
     for (size_t k = 0; k < classes_of(scale); ++k) taking_.push_back(entry(scale.transfer->weights, k));
   }
 
-  /// Of the blocks of list `i` ≥ 1; those of finer lists are in `found`.
+  /// Of the blocks of list `i`, of list 0 those texels that have entries; those of finer lists are in `found`.
   Parts parts_of(size_t i, const std::vector<Parts>& found) const {
     const LevelCover& cover = lists_.lists[i].cover;
     std::vector<Parts> rows(static_cast<size_t>(cover.size.y));
@@ -66,12 +66,18 @@ class Builder {
     const LevelCover& cover = lists_.lists[i].cover;
     glsl::Program program = program_;
     Parts row;
-    for (int x = 0; x < cover.size.x; ++x)
-      for (const PatchTexel& owned : cover.at(x, y))
+    for (int x = 0; x < cover.size.x; ++x) {
+      const auto entries = cover.at(x, y);
+      if (i == 0 && entries.size() == 1) continue;
+      for (size_t k = 0; k < entries.size(); ++k)
         for (int content = 0; content < planes_.content_count; ++content) {
           row.first.push_back(static_cast<uint32_t>(row.parts.size()));
-          add_block(program, i, {x, y}, owned, content, found, row.parts);
+          if (i == 0)
+            row.parts.push_back(texel_part(program, {x, y}, k, content));
+          else
+            add_block(program, i, {x, y}, entries[k], content, found, row.parts);
         }
+    }
     return row;
   }
 
@@ -89,7 +95,7 @@ class Builder {
         const auto at = std::find(entries.begin(), entries.end(), owned);
         if (at == entries.end()) continue;
         if (list.finer == 0) {
-          Part part = texel_part(program, {x, y}, owned, content);
+          Part part = texel_part(program, {x, y}, static_cast<size_t>(at - entries.begin()), content);
           part.share *= part_of_block;
           add(parts, begin, part);
           continue;
@@ -103,7 +109,11 @@ class Builder {
       }
   }
 
-  Part texel_part(glsl::Program& program, V2i p, const PatchTexel& owned, int content) const {
+  /// Of entry `k` of a texel.
+  Part texel_part(glsl::Program& program, V2i p, size_t k, int content) const {
+    const LevelCover& texels = lists_.lists[0].cover;
+    const PatchTexel& owned = texels.at(p.x, p.y)[k];
+    const double weight = lists_.weights.empty() ? 1.0 : double{lists_.weights[texels.first_at(p.x, p.y) + k]};
     const glsl::Texel at{{0, 0}, {p.x, p.y}};
     const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
     const glsl::Source source = program.source_of(at, decision);
@@ -112,7 +122,7 @@ class Builder {
     const int x = program.wrap_any(source.nearest.x + labels.x, planes_.size.x);
     const int y = program.wrap_any(source.nearest.y + labels.y, planes_.size.y);
     return {center.x, center.y, static_cast<uint32_t>(x) | static_cast<uint32_t>(y) << 16,
-            double{taking_[static_cast<size_t>(labels.z)]}};
+            weight * double{taking_[static_cast<size_t>(labels.z)]}};
   }
 
   const EvaluatorPlanes& planes_;
@@ -136,12 +146,12 @@ Image<glsl::ivec4> fragment_shares(const StackScale& scale, const EvaluatorPlane
   const auto contents = static_cast<uint64_t>(planes.content_count);
   std::vector<glsl::ivec4> firsts(static_cast<size_t>(list_rows(lists.count * contents)) * kListWidth, {0, 0, 0, 0});
   std::vector<glsl::ivec4> others;
-  std::vector<Parts> found(1);
-  for (size_t i = 1; i <= lists.list_of_level[static_cast<size_t>(last_level)]; ++i) {
+  std::vector<Parts> found;
+  for (size_t i = 0; i <= lists.list_of_level[static_cast<size_t>(last_level)]; ++i) {
     found.push_back(builder.parts_of(i, found));
     const Parts& parts = found.back();
-    // Entries of a list follow one another.
-    glsl::ivec4* first = firsts.data() + lists.lists[i].first_at({0, 0}) * contents;
+    // Entries of a list follow one another, from 1 on.
+    glsl::ivec4* first = firsts.data() + (i == 0 ? 1 : lists.lists[i].first_at({0, 0})) * contents;
     for (size_t value = 0; value + 1 < parts.first.size(); ++value, ++first) {
       const std::span<const Part> under = parts.at(value);
       for (size_t k = 0; k < under.size(); ++k) {

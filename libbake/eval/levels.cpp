@@ -58,8 +58,11 @@ class TexelValues {
     for (size_t i = 0; i < entries.size(); ++i)
       for (int content = 0; content < planes_.content_count; ++content) {
         const vec4 mean = shown(local_mean_, p, entries[i], content);
-        const vec4 detail = shown(plane_.texels, p, entries[i], content) - mean;
-        value(first + static_cast<uint32_t>(i), content) = (mean + detail * gain) * weights[i];
+        const vec4 all = shown(plane_.texels, p, entries[i], content);
+        vec4& share = value(first + static_cast<uint32_t>(i), content);
+        share = (mean + (all - mean) * gain) * weights[i];
+        // Beside colours stands what they take of a coarser scale, which has no detail.
+        if (plane_.kind == MapKind::plain) share.w = all.w * weights[i];
       }
   }
 

@@ -121,12 +121,6 @@ Image<glsl::ivec4> content_table(const EvaluatorInput& input, int patch_count, V
   return table;
 }
 
-void check_soft_border(int width_px, V2i size) {
-  if (width_px < 0 || width_px > max_soft_border_px(size))
-    throw Error(ErrorKind::bad_data, fmt::format("soft borders: expected 0 to {} px on a tile of {} x {}, found {}",
-                                                 max_soft_border_px(size), size.x, size.y, width_px));
-}
-
 void add_colors(const PrincipalVariation& colors, EvaluatorPlanes& planes) {
   check_size(colors.index, planes.size, "index");
   check_size(colors.variation, planes.size, "variation");
@@ -151,6 +145,12 @@ const Plane* EvaluatorPlanes::map(const std::string& name) const {
   return found == maps.end() ? nullptr : &*found;
 }
 
+void check_soft_border_fits(int width_px, V2i size) {
+  if (width_px < 0 || width_px > max_soft_border_px(size))
+    throw Error(ErrorKind::bad_data, fmt::format("soft borders: expected 0 to {} px on a tile of {} x {}, found {}",
+                                                 max_soft_border_px(size), size.x, size.y, width_px));
+}
+
 EvaluatorPlanes prepare(const EvaluatorInput& input) {
   check_base(input.base);
   EvaluatorPlanes planes;
@@ -168,7 +168,7 @@ EvaluatorPlanes prepare(const EvaluatorInput& input) {
     planes.fragment_idx = input.fragments->partition.idx.clone();
   }
   if (input.colors) add_colors(*input.colors, planes);
-  check_soft_border(input.soft_border_px, planes.size);
+  check_soft_border_fits(input.soft_border_px, planes.size);
   planes.soft_border_px = input.patches ? input.soft_border_px : 0;
   if (planes.soft_border_px > 0) add_levels(planes);
   return planes;

@@ -106,4 +106,7 @@ inline constexpr int kMaxTileSide = 16384;
 /// differ in size, a side exceeds kMaxTileSide, a table does not fit its planes, or borders are too wide.
 EvaluatorPlanes prepare(const EvaluatorInput& input);
 
+/// Throws Error(bad_data) where a tile of this size cannot have borders so soft.
+void check_soft_border_fits(int width_px, V2i size);
+
 }  // namespace texbake

@@ -77,8 +77,9 @@ Image<glsl::vec4> heights_and_normals(const Image<glsl::vec4>& heights, const Pl
 ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& options, const Direction& light) {
   EvaluatorInput input = coarsest;
   input.noise.reset();
-  input.soft_border_px = 0;
+  input.soft_border_px = 0;  // not yet: levels are those of the relief
   EvaluatorPlanes planes = prepare(input);
+  planes.soft_border_px = coarsest.patches ? coarsest.soft_border_px : 0;
   const Plane& heights = heights_of(planes);
   const Plane* const normals = options.shade_by == ShadeBy::normal ? &normals_of(planes) : nullptr;
   check_light(light);

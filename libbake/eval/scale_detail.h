@@ -8,6 +8,9 @@ namespace texbake {
 
 inline V2i size_of(const StackScale& scale) { return {scale.input.base.width(), scale.input.base.height()}; }
 
+/// As of EvaluatorPlanes: 0 without patches.
+inline int soft_border_of(const StackScale& scale) { return scale.input.patches ? scale.input.soft_border_px : 0; }
+
 /// Colour classes; 1 where there are none.
 size_t classes_of(const StackScale& scale);
 

@@ -12,6 +12,8 @@
 namespace texbake {
 namespace {
 
+constexpr int kSoftBorders = 64;  // bit of scale_table, as use_scale of scales.glsl reads it
+
 /// w: the share of the coarser colour that each texel takes.
 void set_texels(Plane& plane, const Image<V3f>& colors, const Image<float>& taking) {
   for (size_t i = 0; i < colors.size(); ++i) {
@@ -32,21 +34,29 @@ Image<float> taking_of(const StackScale& scale) {
 
 /// The planes of one scale with the levels that it needs in a stack.
 struct LeveledScale {
-  EvaluatorPlanes planes;     ///< base: with its gains; map 0: the dominant colours, where there is a coarser scale
+  EvaluatorPlanes planes;     ///< base: with its gains; map 0: the dominant colours, where they are read
   Image<glsl::ivec4> shares;  ///< of fragments; empty where they pass no colours
   int level_count = 0;
 };
 
-LeveledScale leveled(const StackScale& scale) {
+/// Whether the levels of dominant colours are read: of a scale that fades, and of texels on soft borders that are
+/// passed to a finer scale without their variation.
+bool has_dominants(const std::vector<StackScale>& scales, size_t s) {
+  if (scales[s].transfer) return true;
+  return soft_border_of(scales[s]) > 0 && scales.size() > 1 && scales[1].transfer->variation == VariationFrom::fine;
+}
+
+LeveledScale leveled(const StackScale& scale, bool with_dominants) {
   EvaluatorInput input = scale.input;
   input.maps.clear();
   input.noise.reset();
-  input.soft_border_px = 0;
+  input.soft_border_px = 0;  // not yet: levels are those of the base with its gains
   LeveledScale leveled{prepare(input), {}, 0};
   EvaluatorPlanes& planes = leveled.planes;
+  planes.soft_border_px = soft_border_of(scale);
   const Image<float> taking = taking_of(scale);
   set_texels(planes.base, detail_of(scale), taking);
-  if (scale.transfer) {
+  if (with_dominants) {
     planes.maps.push_back(
         {"dominant", MapKind::plain, 3, Image<glsl::vec4>(planes.size.x, planes.size.y, {0, 0, 0, 0})});
     set_texels(planes.maps.back(), dominant_of(scale), taking);
@@ -71,8 +81,9 @@ void count_from(Image<glsl::ivec4>& shares, int row) {
 int last_level(int ratio) { return static_cast<int>(std::bit_width(static_cast<uint32_t>(ratio - 1))); }
 
 void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
+  if (!stack.level_table.empty()) return;
   std::vector<LeveledScale> leveled_scales;
-  for (const StackScale& scale : scales) leveled_scales.push_back(leveled(scale));
+  for (size_t s = 0; s < scales.size(); ++s) leveled_scales.push_back(leveled(scales[s], has_dominants(scales, s)));
 
   // Bases of all scales first, then dominant colours.
   std::vector<const Image<glsl::ivec4>*> tables;
@@ -84,6 +95,7 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
   for (size_t s = 0; s < scales.size(); ++s) {
     LeveledScale& scale = leveled_scales[s];
     count_from(scale.shares, share_row);
+    if (scale.planes.first_level == 0) stack.scale_table(1, static_cast<int>(s)).w |= kSoftBorders;
     stack.scale_table(2, static_cast<int>(s)) = {level_row, block_row, entry_row, scale.level_count};
     stack.scale_table(3, static_cast<int>(s)).x = value_row;
     stack.scale_table(3, static_cast<int>(s)).z = share_row;
@@ -98,7 +110,8 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
     value_row += values.back()->height();
     share_row += scale.shares.height();
   }
-  for (size_t s = 1; s < scales.size(); ++s) {
+  for (size_t s = 0; s < scales.size(); ++s) {
+    if (!has_dominants(scales, s)) continue;
     stack.scale_table(3, static_cast<int>(s)).y = value_row;
     values.push_back(&leveled_scales[s].planes.maps[0].level_values);
     value_row += values.back()->height();

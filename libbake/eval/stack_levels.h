@@ -8,7 +8,8 @@
 namespace texbake {
 
 /// Adds the levels of `stack`, prepared from `scales`: of the coarsest scale all, of the others up to one block to a
-/// texel of the coarser scale, since they have faded into that then. Throws as add_levels does.
+/// texel of the coarser scale, since they have faded into that then. Does nothing where they were added before:
+/// prepare_stack does it where borders of patches are soft. Throws as add_levels does.
 void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales);
 
 /// The level after which a scale of this ratio has faded: log2, rounded up.

@@ -11,6 +11,7 @@
 #include "libbake/eval/box_mean.h"
 #include "libbake/eval/program_of.h"
 #include "libbake/eval/scale_detail.h"
+#include "libbake/eval/stack_levels.h"
 #include "libbake/eval/stacked.h"
 
 namespace texbake {
@@ -78,7 +79,8 @@ class StackBuilder {
   void add(const StackScale& scale, const ScaleTransfer* finer) {
     EvaluatorInput input = scale.input;
     input.maps.clear();  // a stack passes colours alone
-    input.soft_border_px = 0;
+    check_soft_border_fits(input.soft_border_px, size_of(scale));
+    input.soft_border_px = 0;  // their levels come later
     planes_.push_back(prepare(input));
     const EvaluatorPlanes& own = planes_.back();
     const ScaleTransfer transfer = scale.transfer ? *scale.transfer : ScaleTransfer{};
@@ -190,7 +192,10 @@ StackPlanes prepare_stack(const std::vector<StackScale>& scales) {
   StackBuilder builder;
   for (size_t s = 0; s < scales.size(); ++s)
     builder.add(scales[s], s + 1 < scales.size() ? scales[s + 1].transfer : nullptr);
-  return builder.take();
+  StackPlanes planes = builder.take();
+  if (std::any_of(scales.begin(), scales.end(), [](const StackScale& scale) { return soft_border_of(scale) > 0; }))
+    add_levels(planes, scales);
+  return planes;
 }
 
 Nesting nesting_at(const StackPlanes& planes, glsl::uvec2 reference) {

@@ -31,7 +31,8 @@ struct StackPlanes {
   Image<glsl::ivec4> scale_table;
   Image<glsl::vec4> class_table;
   Image<glsl::vec4> mean_table;
-  Image<glsl::ivec4> level_table;  ///< this and what follows: empty until add_levels (stack_levels.h)
+  Image<glsl::ivec4>
+      level_table;  ///< this and what follows: empty until add_levels (stack_levels.h), if borders are hard
   Image<glsl::LevelBlock> level_blocks;
   Image<glsl::PatchTexel> level_entries;
   Image<glsl::vec4> base_levels;

@@ -20,6 +20,7 @@ struct SmallTile {
   ContentTable contents;
   std::vector<Image<float>> masks = {};  ///< none: no noise
   std::vector<Image<V3f>> noises = {};
+  int soft_border_px = 0;
 
   V2i size() const { return {base.width(), base.height()}; }
   EvaluatorInput input() const {
@@ -27,6 +28,7 @@ struct SmallTile {
     input.base = base;
     input.patches = &patches;
     input.contents = &contents;
+    input.soft_border_px = soft_border_px;
     if (!masks.empty()) input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}};
     return input;
   }

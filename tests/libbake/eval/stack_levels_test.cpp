@@ -88,6 +88,21 @@ TEST(StackLevels, ABlockOfThreeScalesIsTheMeanOfItsTexels) {
     EXPECT_LT(difference_at(planes, 2, level, 1, 8).worst, kRounded) << level;
 }
 
+/// With soft borders of patches in every scale.
+StackPlanes softened(const SmallStack& stack) {
+  std::vector<StackScale> scales = stack.scales();
+  for (StackScale& scale : scales) scale.input.soft_border_px = 2;
+  return prepare_stack(scales);
+}
+
+TEST(StackLevels, ABlockWithSoftBordersIsTheMeanOfItsTexels) {
+  const StackPlanes planes = softened(
+      two_scales({.ratio = 16, .detail_mean = DetailMean::local, .weights = {0.3f, 1}, .detail_gains = {1.7f, 0.4f}}));
+  for (int level = 1; level <= 4; ++level)
+    for (const float variation : {1.0f, 0.4f, 0.0f})
+      EXPECT_LT(difference_at(planes, 1, level, variation).worst, kRounded) << level << " " << variation;
+}
+
 TEST(StackLevels, ABlockThatTexelsColourIsTheMeanOfThemByParts) {
   // Coarse texels count by 1/256 of a block on each axis; colours differ by 8 at most.
   for (const int ratio : {16, 5}) {

@@ -47,6 +47,7 @@ TEST(PerspectiveParity, TheShaderSeesTheSameStack) {
 
 TEST(PerspectiveParity, TheShaderSeesTheSameRelief) {
   SmallStack stack = two_scales({.ratio = 5}, Contents::turned);
+  for (ScaleTile& scale : stack.tiles) scale.tile.soft_border_px = 2;
   StackPlanes planes = stack.planes();
   add_levels(planes, stack.scales());
   // Waves of height, and normals that need not be theirs.

@@ -50,6 +50,16 @@ TEST_P(StackParity, ThreeScalesDifferInNoBit) {
   expect_equal(stack, 24);
 }
 
+TEST_P(StackParity, SoftBordersDifferInNoBit) {
+  for (const TransferMode mode : {TransferMode::fragment, TransferMode::texel, TransferMode::bilinear}) {
+    SmallStack stack = two_scales({.ratio = 4, .mode = mode, .variation = VariationFrom::fine, .weights = {0.3f, 1}},
+                                  Contents::turned);
+    stack.add(random_scale({48, 40}, 5, Contents::moved, 9), {.ratio = 6, .detail_mean = DetailMean::local});
+    for (ScaleTile& scale : stack.tiles) scale.tile.soft_border_px = 2;
+    expect_equal(stack, 12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Languages, StackParity,
                          testing::Values(ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es));
 
