@@ -6,7 +6,7 @@ namespace texbake {
 
 Command estimate_psd_command() {
   return stage_command<EstimatePsdOptions>(
-      "estimate-psd", "bundle → bundle: spectra, colours and periodic tiles of the noises",
+      "estimate-psd", "bundle → bundle: spectra and colours of the noises, and their values",
       "  texbake estimate-psd rock.texbundle --spectrum-size 128", run_estimate_psd);
 }
 

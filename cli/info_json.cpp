@@ -79,7 +79,7 @@ void add_noise_fields(const NoiseModel& model, FieldList& fields) {
     fields.add("spectrum" + number, fmt::format("{0}x{0}x3 float", noise.spectrum_size()), "magnitude, light",
                "of each channel of the noise");
     fields.add("noise tile" + number, fmt::format("{}x{}x3 half", noise.tile.width(), noise.tile.height()),
-               "linear Rec.709 light", "periodic realisation of the noise");
+               "linear Rec.709 light", "values of the noise, row after row");
     for (const NoiseChannel& channel : noise.channels) lobes += channel.lobes.lobes.size();
   }
   fields.add("colour bases", fmt::format("{}x(3+3x3) float", model.noises.size()), "linear Rec.709 light",

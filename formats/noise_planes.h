@@ -1,4 +1,4 @@
-// The planes of the noises: spectra and histograms in one file, periodic tiles in another.
+// The planes of the noises: spectra and histograms in one file, tiles of values in another.
 #pragma once
 
 #include "formats/planes.h"

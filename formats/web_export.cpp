@@ -112,8 +112,8 @@ void write_folder(const std::string& texture_script, const fs::path& folder) {
 std::string web_texture_script(const EvaluatorPlanes& planes) {
   Json texture = {{"semantics", kSemantics},           {"size", {planes.size.x, planes.size.y}},
                   {"patch_count", planes.patch_count}, {"content_count", planes.content_count},
-                  {"noise_size", planes.noise_size},   {"level_count", planes.level_count},
-                  {"first_level", planes.first_level}};
+                  {"noise_step", planes.noise_step},   {"noise_log2", {planes.noise_log2.x, planes.noise_log2.y}},
+                  {"level_count", planes.level_count}, {"first_level", planes.first_level}};
   Json& json = texture["planes"];
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
   json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);

@@ -88,7 +88,7 @@ Position deformed_position(Texel at) {
 vec4 deformed_value(sampler2D plane, Texel at) {
   Footprint footprint = footprint_at(deformed_position(at));
   vec4 structure = footprint_value(plane, footprint);
-  if (noise_size == 0) return structure;
+  if (noise_step == 0) return structure;
   uvec4 weights = blended_weights(source_weights(footprint.upper_left), source_weights(footprint.upper_right),
                                   source_weights(footprint.lower_left), source_weights(footprint.lower_right),
                                   footprint.fraction);

@@ -89,7 +89,7 @@ uvec4 shared_texel(Texel at) { return texelFetch(level_blocks, ivec2(at.p.x, at.
 
 // A texel of the infinite texture. Where borders of patches are soft, those on them have shares. Noise is added last.
 vec4 texel_value(sampler2D plane, int kind, sampler2D values, Texel at) {
-  bool has_noise = kind == 4 && noise_size > 0;
+  bool has_noise = kind == 4 && noise_step != 0;
   bool is_shared = first_level == 0 && (shared_texel(at).y >> 20u) != 0u;
   if (is_shared && !has_noise) return shares_value(values, shared_texel(at), at.tile);
   Source source = source_of(at, decide(at));
@@ -138,7 +138,7 @@ Texel middle_of(Texel block, Grid grid) {
 vec4 block_value(sampler2D plane, int kind, sampler2D values, Texel block, Grid grid) {
   if (grid.corner.x < 0) return texel_value(plane, kind, values, block);
   uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
-  bool has_noise = kind == 4 && noise_size > 0 && grid.noise >= 0;
+  bool has_noise = kind == 4 && noise_step != 0 && grid.noise >= 0;
   Shares shares = shares_of(values, found, block.tile, has_noise);
   if (!has_noise) return shares.value;
   return with_noise(shares.value, shares.weights, noise_level_place(middle_of(block, grid), grid.noise));

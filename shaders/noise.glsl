@@ -1,22 +1,29 @@
 // The noise layer: grain that belongs to the place where it is seen, weighed by masks that belong to what is seen.
 // Based on: Guingo et al. 2017, eq. 2 and 6. Needs sample.glsl and, bound as README.md says,
 //   masks (weights of up to four noises in 1/2048), noise_tiles (the noises, one below the other, the levels of detail
-//   of each to its right), noise_size (their side, a power of two; 0 without noise).
+//   of each to its right), noise_log2 (log2 of the values of a noise in a row of noise_tiles, and of its rows), noise_step
+//   (odd; 0 without noise).
 
-// Where a texel of the infinite texture lies in the noises: they repeat every noise_size texels, wherever tiles end.
-ivec2 noise_place(Texel at) {
-  uint last = uint(noise_size) - 1u;
-  return ivec2(int((at.tile.x * uint(tile_size.x) + uint(at.p.x)) & last),
-               int((at.tile.y * uint(tile_size.y) + uint(at.p.y)) & last));
+// Where noise_tiles has what a noise shows at the block (x, y) of 2^level x 2^level texels. Its values follow one another
+// along a row of blocks, in the next row noise_step further, and after the last comes the first: neighbours are
+// neighbours everywhere, and nothing repeats along the axes or with tiles. Levels 1 ... stand on one another right of the
+// noise: half as many values, then half of those, and so on.
+ivec2 noise_place_of(uint x, uint y, int level) {
+  uint n = x + uint(noise_step) * y;
+  int columns = 1 << noise_log2.x;
+  int rows = 1 << noise_log2.y;
+  ivec2 corner = level == 0 ? ivec2(0, 0) : ivec2(columns, rows - (rows >> (level - 1)));
+  return ivec2(corner.x + int(n & uint(columns - 1)),
+               corner.y + int((n >> uint(noise_log2.x)) & uint((rows >> level) - 1)));
 }
 
-// The same of the block of 2^level x 2^level texels in which a texel of the infinite texture lies. Levels 1 ... stand on
-// one another right of the noise: noise_size / 2 blocks a side, then half as many, and so on.
+// The same of the block in which a texel of the infinite texture lies, whose coordinates wrap at 2^32.
 ivec2 noise_level_place(Texel at, int level) {
-  ivec2 place = noise_place(at);
-  if (level == 0) return place;
-  return ivec2(noise_size + (place.x >> level), noise_size - (noise_size >> (level - 1)) + (place.y >> level));
+  return noise_place_of((at.tile.x * uint(tile_size.x) + uint(at.p.x)) >> uint(level),
+                        (at.tile.y * uint(tile_size.y) + uint(at.p.y)) >> uint(level), level);
 }
+
+ivec2 noise_place(Texel at) { return noise_level_place(at, 0); }
 
 // Weights between those of four texels, in 1/2048 rounded down; the first noise takes what that leaves over, so that
 // the sum stays 2048. Integers: 2048 * 65536 < 2^32.
@@ -40,7 +47,9 @@ uvec4 source_weights(Source source) {
                          source.fraction);
 }
 
-vec4 noise_value(int k, ivec2 place) { return texelFetch(noise_tiles, ivec2(place.x, place.y + k * noise_size), 0); }
+vec4 noise_value(int k, ivec2 place) {
+  return texelFetch(noise_tiles, ivec2(place.x, place.y + (k << noise_log2.y)), 0);
+}
 
 // A weight has at most 13 significant bits, a noise, being a half float, 11: their product is exact, so that neither a
 // fused multiply-add nor another order of factors changes a bit. Noises of weight 0 are not fetched.
@@ -57,7 +66,7 @@ vec4 with_noise(vec4 structure, uvec4 weights, ivec2 place) {
 // Structure and noise at a texel of the infinite texture whose source is known.
 vec4 layered_value(sampler2D plane, Texel at, Source source) {
   vec4 structure = source_value(plane, source);
-  if (noise_size == 0) return structure;
+  if (noise_step == 0) return structure;
   return with_noise(structure, source_weights(source), noise_place(at));
 }
 

@@ -44,7 +44,8 @@ uvec2 kept_tile;
 ivec2 kept_p;
 vec4 kept_color;
 // A stack has no noise beside its colours.
-const int noise_size = 0;
+const ivec2 noise_log2 = ivec2(0, 0);
+const int noise_step = 0;
 // What noise would read is not read, and takes no textures of its own: with relief there are 16, what every driver has.
 #define masks patch_plane
 #define noise_tiles base

@@ -116,8 +116,9 @@ class InfiniteTexture {
     const uniform = this.bind(program);
     gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
     gl.uniform1ui(uniform('content_count'), this.texture.content_count);
-    gl.uniform1i(uniform('noise_size'), this.texture.noise_size);
-    gl.uniform1i(uniform('plane_kind'), this.texture.noise_size ? 4 : 0);
+    gl.uniform2i(uniform('noise_log2'), this.texture.noise_log2[0], this.texture.noise_log2[1]);
+    gl.uniform1i(uniform('noise_step'), this.texture.noise_step);
+    gl.uniform1i(uniform('plane_kind'), this.texture.noise_step ? 4 : 0);
     gl.uniform1i(uniform('level_count'), this.texture.level_count);
     gl.uniform1i(uniform('first_level'), this.texture.first_level);
     gl.uniform1i(uniform('level_256'), view.level_256);

@@ -99,9 +99,9 @@ void store_list(const LevelList& list, EvaluatorPlanes& planes) {
 
 /// The level of the noises whose blocks have about as many texels: 4^level, at most twice as many or few; −1 where they
 /// have none so large.
-int noise_level_of(V2i block_side, int noise_size) {
+int noise_level_of(V2i block_side, V2i noise_log2) {
   const int64_t texels = int64_t{block_side.x} * block_side.y;
-  for (int level = 0; 1 << level <= noise_size; ++level)
+  for (int level = 0; level <= noise_log2.y; ++level)
     if (texels < int64_t{2} << (2 * level)) return level;
   return -1;
 }
@@ -149,7 +149,7 @@ void store_lists(const LevelLists& lists, EvaluatorPlanes& planes) {
     const V2i side_256 = side * 256;
     planes.level_table(0, level) = {blocks.x, blocks.y, corner.x, corner.y};
     planes.level_table(1, level) = {side_256.x, side_256.y, shift_of(side_256.x), shift_of(side_256.y)};
-    planes.level_table(2, level) = {noise_level_of(side, planes.noise_size), 0, 0, 0};
+    planes.level_table(2, level) = {noise_level_of(side, planes.noise_log2), 0, 0, 0};
   }
 }
 

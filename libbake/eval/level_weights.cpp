@@ -14,12 +14,12 @@ constexpr float kSteps = 2048;  ///< what the weights of a texel sum to
 
 std::vector<vec4> means_of_noises(const EvaluatorPlanes& planes) {
   std::vector<vec4> means;
-  const int size = planes.noise_size;
-  for (int k = 0; k < planes.noise_tiles.height() / size; ++k) {
+  const V2i size(1 << planes.noise_log2.x, 1 << planes.noise_log2.y);
+  for (int first_row = 0; first_row < planes.noise_tiles.height(); first_row += size.y) {
     LevelSum sum;
-    for (int y = k * size; y < (k + 1) * size; ++y)
-      for (int x = 0; x < size; ++x) sum.add(planes.noise_tiles(x, y));
-    means.push_back(sum.over(double{1} * size * size));
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) sum.add(planes.noise_tiles(x, first_row + y));
+    means.push_back(sum.over(double{1} * size.x * size.y));
   }
   return means;
 }

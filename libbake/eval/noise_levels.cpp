@@ -1,32 +1,43 @@
 #include "libbake/eval/noise_levels.h"
 
-#include <vector>
+#include <utility>
 
 #include "libbake/base/half.h"
-#include "libbake/eval/box_mean.h"
 
 namespace texbake {
 
 using Imath::V3d;
 
-void fill_noise_levels(Image<glsl::vec4>& noise_tiles, int size, int first_row) {
-  std::vector<Image<V3d>> levels;
-  levels.emplace_back(size, size);
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      const glsl::vec4& v = noise_tiles(x, first_row + y);
-      levels[0](x, y) = V3d(double{v.x}, double{v.y}, double{v.z});
-    }
-  while (levels.back().width() > 1) levels.push_back(halved(levels.back()));
+Image<V3d> halved_noise(const Image<V3d>& finer, int row_step) {
+  Image<V3d> coarser =
+      finer.height() > 1 ? Image<V3d>(finer.width(), finer.height() / 2) : Image<V3d>(finer.width() / 2, 1);
+  const size_t last = finer.size() - 1;
+  const V3d* of = finer.data();
+  for (size_t i = 0; i < coarser.size(); ++i) {
+    const size_t below = 2 * i + static_cast<size_t>(row_step);
+    coarser.data()[i] = (of[2 * i] + of[2 * i + 1] + of[below & last] + of[(below + 1) & last]) * 0.25;
+  }
+  return coarser;
+}
 
-  const V3d mean = levels.back()(0, 0);
+void fill_noise_levels(Image<glsl::vec4>& noise_tiles, V2i size, int row_step, int first_row) {
+  Image<V3d> blocks(size.x, size.y);
+  V3d mean(0);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) {
+      const glsl::vec4& v = noise_tiles(x, first_row + y);
+      blocks(x, y) = V3d(double{v.x}, double{v.y}, double{v.z});
+      mean += blocks(x, y);
+    }
+  mean /= static_cast<double>(blocks.size());
+
   int row = first_row;
-  for (size_t level = 1; level < levels.size(); ++level) {
-    const Image<V3d>& blocks = levels[level];
+  while (blocks.height() > 1) {
+    blocks = halved_noise(blocks, row_step);
     for (int y = 0; y < blocks.height(); ++y)
-      for (int x = 0; x < blocks.width(); ++x) {
+      for (int x = 0; x < size.x; ++x) {
         const V3f rest = half_exact(V3f(blocks(x, y) - mean));
-        noise_tiles(size + x, row + y) = {rest.x, rest.y, rest.z, 0};
+        noise_tiles(size.x + x, row + y) = {rest.x, rest.y, rest.z, 0};
       }
     row += blocks.height();
   }

@@ -3,13 +3,18 @@
 #pragma once
 
 #include "libbake/base/image.h"
+#include "libbake/base/torus.h"
 #include "libbake/eval/glsl.h"
 
 namespace texbake {
 
-/// Fills what lies right of the noise of `size` × `size` texels, a power of two, at (0, first_row) of `noise_tiles`,
-/// which is 3/2 · size wide: level l = 1 … log2(size) has size / 2^l blocks a side, level 1 on top, the next below it.
-/// A block is the mean of its texels without that of the whole noise, in double, rounded to half.
-void fill_noise_levels(Image<glsl::vec4>& noise_tiles, int size, int first_row);
+/// The values of a noise in reading order, width and height powers of two, become those of its box means over 2 × 2
+/// texels: half as many rows (of one row half the width), with the same `row_step` (NoiseInput).
+Image<Imath::V3d> halved_noise(const Image<Imath::V3d>& finer, int row_step);
+
+/// Fills what lies right of the noise of `size`, powers of two, at (0, first_row) of `noise_tiles`, which is 2 · size.x
+/// wide: level l = 1 … log2(size.y) has size.y / 2^l rows, level 1 on top, the next below it. A value is the mean of a
+/// block of texels without that of the whole noise, in double, rounded to half.
+void fill_noise_levels(Image<glsl::vec4>& noise_tiles, V2i size, int row_step, int first_row);
 
 }  // namespace texbake

@@ -40,7 +40,9 @@ struct MapInput {
 /// The noises to prepare, 1 to 4. Views are borrowed during `prepare` only.
 struct NoiseInput {
   std::vector<ImageView<const float>> masks;  ///< of the tile's size, multiples of 1/2048 that sum to 1
-  std::vector<ImageView<const V3f>> tiles;    ///< one for each mask, half-exact; square, their side a power of two
+  /// One for each mask, half-exact: the values of the noise in reading order; width and height are powers of two.
+  std::vector<ImageView<const V3f>> tiles;
+  int row_step = 0;  ///< odd: texel (x, y) shows value (x + row_step · y) mod width · height
 };
 
 /// What `prepare` reads. Only the base is required: without patches the tile repeats unchanged, without contents every
@@ -79,7 +81,8 @@ struct EvaluatorPlanes {
   Image<glsl::ivec4> centers;   ///< (c.x, c.y, 0, 0)
   Plane base;                   ///< of kind `structure` with noise
   std::vector<Plane> maps;
-  int noise_size = 0;             ///< side of the noises; 0 without
+  V2i noise_log2{0, 0};           ///< log2 of the width and height of the noises
+  int noise_step = 0;             ///< row_step; 0 without noise
   Image<glsl::MaskTexel> masks;   ///< RGBA16UI, in 1/2048; one texel without noise
   Image<glsl::vec4> noise_tiles;  ///< one below the other, their levels of detail (noise_levels.h) to the right,
                                   ///< RGBA32F (or RGBA16F); one texel without noise

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
 #include "libbake/eval/noise_levels.h"
@@ -12,6 +14,10 @@ namespace {
 constexpr int kSteps = 2048;  // of a weight: 2^11, so that its product with a half float is exact in a float
 constexpr size_t kMaxNoises = 4;
 
+bool is_power_of_two(int n) { return n > 0 && std::has_single_bit(static_cast<uint32_t>(n)); }
+
+int log2_of(int n) { return std::countr_zero(static_cast<uint32_t>(n)); }
+
 void check_input(const NoiseInput& input, V2i size) {
   const size_t count = input.masks.size();
   if (count < 1 || count > kMaxNoises || input.tiles.size() != count)
@@ -21,12 +27,13 @@ void check_input(const NoiseInput& input, V2i size) {
     if (mask.width() != size.x || mask.height() != size.y)
       throw Error(ErrorKind::bad_data, fmt::format("masks: expected {} x {} texels as in the base, found {} x {}",
                                                    size.x, size.y, mask.width(), mask.height()));
-  const int side = input.tiles.front().width();
   for (const auto& tile : input.tiles)
-    if (tile.width() != side || tile.height() != side || side < 1 || (side & (side - 1)) != 0)
-      throw Error(ErrorKind::bad_data,
-                  fmt::format("noise tiles: expected squares of one side, a power of two, found {} x {}", tile.width(),
-                              tile.height()));
+    if (!same_size(tile, input.tiles.front()) || !is_power_of_two(tile.width()) || !is_power_of_two(tile.height()))
+      throw Error(ErrorKind::bad_data, fmt::format("noise tiles: expected one size, powers of two, found {} x {}",
+                                                   tile.width(), tile.height()));
+  if (input.row_step < 1 || input.row_step % 2 == 0)
+    throw Error(ErrorKind::bad_data,
+                fmt::format("noise tiles: expected an odd step between rows, found {}", input.row_step));
 }
 
 Image<glsl::MaskTexel> mask_plane(const NoiseInput& input, V2i size) {
@@ -52,17 +59,17 @@ Image<glsl::MaskTexel> mask_plane(const NoiseInput& input, V2i size) {
   return plane;
 }
 
-Image<glsl::vec4> stacked(const std::vector<ImageView<const V3f>>& tiles) {
-  const int side = tiles.front().width();
-  Image<glsl::vec4> stack(side + side / 2, side * static_cast<int>(tiles.size()), {0, 0, 0, 0});
-  for (size_t k = 0; k < tiles.size(); ++k) {
-    const int first_row = static_cast<int>(k) * side;
-    for (int y = 0; y < side; ++y)
-      for (int x = 0; x < side; ++x) {
-        const V3f color = half_exact(tiles[k](x, y));
+Image<glsl::vec4> stacked(const NoiseInput& input) {
+  const V2i size(input.tiles.front().width(), input.tiles.front().height());
+  Image<glsl::vec4> stack(2 * size.x, size.y * static_cast<int>(input.tiles.size()), {0, 0, 0, 0});
+  for (size_t k = 0; k < input.tiles.size(); ++k) {
+    const int first_row = static_cast<int>(k) * size.y;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        const V3f color = half_exact(input.tiles[k](x, y));
         stack(x, first_row + y) = {color.x, color.y, color.z, 0};
       }
-    fill_noise_levels(stack, side, first_row);
+    fill_noise_levels(stack, size, input.row_step, first_row);
   }
   return stack;
 }
@@ -78,9 +85,10 @@ void add_noise(const std::optional<NoiseInput>& input, EvaluatorPlanes& planes) 
   }
   check_input(*input, planes.size);
   planes.base.kind = MapKind::structure;
-  planes.noise_size = input->tiles.front().width();
+  planes.noise_log2 = {log2_of(input->tiles.front().width()), log2_of(input->tiles.front().height())};
+  planes.noise_step = input->row_step;
   planes.masks = mask_plane(*input, planes.size);
-  planes.noise_tiles = stacked(input->tiles);
+  planes.noise_tiles = stacked(*input);
 }
 
 }  // namespace texbake

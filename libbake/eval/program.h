@@ -14,7 +14,8 @@ struct Program {
   sampler2D base;
   Sampler<MaskTexel> masks;
   sampler2D noise_tiles;
-  int noise_size = 0;
+  ivec2 noise_log2{0, 0};
+  int noise_step = 0;
   isampler2D level_table;
   Sampler<LevelBlock> level_blocks;
   usampler2D level_entries;

@@ -21,7 +21,8 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   program.base = sampler_of(planes.base.texels);
   program.masks = sampler_of(planes.masks);
   program.noise_tiles = sampler_of(planes.noise_tiles);
-  program.noise_size = planes.noise_size;
+  program.noise_log2 = {planes.noise_log2.x, planes.noise_log2.y};
+  program.noise_step = planes.noise_step;
   program.level_table = sampler_of(planes.level_table);
   program.level_blocks = sampler_of(planes.level_blocks);
   program.level_entries = sampler_of(planes.level_entries);

@@ -95,7 +95,7 @@ void check_show(const EvaluatorPlanes& planes, Show show) {
   const bool lacks_fragments = show == Show::fragments && planes.fragment_idx.empty();
   const bool lacks_colors = (show == Show::index || show == Show::variation) && planes.dominant.empty();
   const bool lacks_noise =
-      (show == Show::structure || show == Show::noise || show == Show::masks) && planes.noise_size == 0;
+      (show == Show::structure || show == Show::noise || show == Show::masks) && planes.noise_step == 0;
   if (lacks_noise)
     throw Error(
         ErrorKind::usage,

@@ -111,7 +111,8 @@ struct GlRenderer::State {
   /// The target's lowest line, read first, is the top row: row `first_row` of the view.
   void set_tile(MapKind kind, uint32_t seed, int first_row) {
     gl.Uniform2i(program.uniform("tile_size"), planes.size.x, planes.size.y);
-    gl.Uniform1i(program.uniform("noise_size"), planes.noise_size);
+    gl.Uniform2i(program.uniform("noise_log2"), planes.noise_log2.x, planes.noise_log2.y);
+    gl.Uniform1i(program.uniform("noise_step"), planes.noise_step);
     gl.Uniform1ui(program.uniform("content_count"), static_cast<GLuint>(planes.content_count));
     gl.Uniform1ui(program.uniform("seed"), seed);
     gl.Uniform1i(program.uniform("level_count"), planes.level_count);

@@ -114,10 +114,10 @@ void estimate_channel(ImageView<const V3f> layer, const Work& work, const Estima
   if (channel.lobes.error > static_cast<double>(options.lobe_error)) channel.lobes.lobes.clear();
 }
 
-/// One channel of the tile, equalised where the options say so.
-Image<float> realise_channel(const NoiseChannel& channel, ImageView<const std::complex<float>> phases,
-                             NoiseHistogram histogram) {
-  Image<float> plane = realise_noise(resample_spectrum(channel.spectrum, phases.width()), phases);
+/// One channel of all values, equalised where the options say so.
+Image<float> realise_channel(const NoiseChannel& channel, const NoiseLattice& lattice,
+                             ImageView<const std::complex<float>> phases, NoiseHistogram histogram) {
+  Image<float> plane = realise_noise(lattice_spectrum(channel.spectrum, lattice), phases);
   const double deviation = std::sqrt(spectrum_power(channel.spectrum));
   if (histogram == NoiseHistogram::gaussian || !(deviation > 0.0)) return plane;
   for (float& value : plane) value = channel.equalisation(static_cast<double>(value) / deviation);
@@ -125,24 +125,27 @@ Image<float> realise_channel(const NoiseChannel& channel, ImageView<const std::c
 }
 
 /// How far equalisation has moved the first channel from its model.
-void measure_tile(ImageView<const float> channel, Noise& noise) {
+void measure_tile(ImageView<const float> channel, const NoiseLattice& lattice, Noise& noise) {
   const Image<float>& model = noise.channels[0].spectrum;
   if (!(spectrum_power(model) > 0.0)) return;
   const Image<float> measured = periodogram(channel);
-  noise.figures.tile_difference_db = spectrum_difference_db(measured, resample_spectrum(model, channel.width()));
+  noise.figures.tile_difference_db = spectrum_difference_db(measured, lattice_spectrum(model, lattice), lattice);
   noise.figures.tile_variance_ratio = spectrum_power(measured) / spectrum_power(model);
 }
 
-void bake_tiles(std::vector<Noise>& noises, const EstimatePsdOptions& options) {
+void bake_tiles(NoiseModel& model, const EstimatePsdOptions& options) {
   const int size = options.tile_size;
+  model.lattice = noise_lattice(size);
+  const NoiseLattice& lattice = model.lattice;
+  std::vector<Noise>& noises = model.noises;
   std::array<Image<std::complex<float>>, 3> phases;
-  parallel_for(0, 3, [&](int c) { phases[static_cast<size_t>(c)] = random_phases(size, options.seed, c); });
+  parallel_for(0, 3, [&](int c) { phases[static_cast<size_t>(c)] = random_phases(lattice.count, options.seed, c); });
   std::vector<std::array<Image<float>, 3>> planes(noises.size());
   parallel_for(0, static_cast<int>(3 * noises.size()), [&](int i) {
     const auto k = static_cast<size_t>(i / 3);
     const auto c = static_cast<size_t>(i % 3);
-    planes[k][c] = realise_channel(noises[k].channels[c], phases[c], options.histogram);
-    if (c == 0) measure_tile(planes[k][c], noises[k]);
+    planes[k][c] = realise_channel(noises[k].channels[c], lattice, phases[c], options.histogram);
+    if (c == 0) measure_tile(planes[k][c], lattice, noises[k]);
   });
   parallel_for(0, static_cast<int>(noises.size()), [&](int i) {
     const auto k = static_cast<size_t>(i);
@@ -209,7 +212,7 @@ NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> stru
     estimate_channel(layer, work[k], options, static_cast<size_t>(i % 3), model.noises[k]);
   });
   report(progress, 0.8);
-  bake_tiles(model.noises, options);
+  bake_tiles(model, options);
   model.warnings = warnings_of(model.noises, options);
   report(progress, 1.0);
   return model;
@@ -223,7 +226,8 @@ Image<V3f> synthesise_noise(const NoiseModel& model, std::span<const Image<float
     const Image<V3f>& tile = model.noises[k].tile;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        noise(x, y) += tile(wrap(x, tile.width()), wrap(y, tile.height())) * masks[k](x, y);
+        noise(x, y) +=
+            tile.data()[model.lattice.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y))] * masks[k](x, y);
   }
   return noise;
 }

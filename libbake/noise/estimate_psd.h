@@ -1,4 +1,4 @@
-// The noises of a decomposed exemplar: a spectrum, a colour space, a histogram and a periodic tile for each mask.
+// The noises of a decomposed exemplar: a spectrum, a colour space, a histogram and a realisation for each mask.
 // Based on: Guingo et al. 2017, §3.3 and §6.
 #pragma once
 
@@ -37,7 +37,7 @@ struct EstimatePsdOptions {
   float core_share = 0.9f;
   std::optional<int> local_size;  ///< T_loc of decompose; 8 when not set
   NoiseHistogram histogram = NoiseHistogram::exemplar;
-  int tile_size = 512;  ///< texels, a power of two
+  int tile_size = 512;  ///< a power of two
   int lobes = 3;
   float lobe_error = 0.15f;
   uint32_t seed = 1;
@@ -67,7 +67,7 @@ struct EstimatePsdOptions {
                                 .unit = "texels",
                                 .min = 512,
                                 .max = 4096,
-                                .help = "side of the periodic noise tiles, a power of two"});
+                                .help = "side of the noise tiles, a power of two: a noise has side x side values"});
     visit(self.lobes, Field{.name = "lobes",
                             .min = 0,
                             .max = 6,
@@ -100,7 +100,9 @@ struct NoiseFigures {
 struct Noise {
   ColorBasis basis;  ///< its mean is the mean of the noise inside the mask
   std::array<NoiseChannel, 3> channels;
-  Image<V3f> tile;  ///< linear Rec.709, half-exact, the mean included, equalised where options say so
+  /// Its values, linear Rec.709, half-exact, the mean included, equalised where options say so. They follow one another
+  /// in reading order: the tile is how they are stored, not a picture of the noise; the lattice says where they show.
+  Image<V3f> tile;
   NoiseFigures figures;
 
   int spectrum_size() const { return channels[0].spectrum.width(); }
@@ -108,6 +110,7 @@ struct Noise {
 
 struct NoiseModel {
   std::vector<Noise> noises;          ///< one for each mask
+  NoiseLattice lattice;               ///< of all of them
   std::vector<std::string> warnings;  ///< fall-backs, in words
 };
 
@@ -121,7 +124,7 @@ NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> stru
                         std::span<const Image<float>> masks, const EstimatePsdOptions& options = {},
                         const Progress& progress = {});
 
-/// Σ_k mask_k(x) · tile_k(x mod tile), without rounding: the noise layer of the exemplar, made again.
+/// Σ_k mask_k · noise_k at every texel, without rounding: the noise layer of the exemplar, made again.
 Image<V3f> synthesise_noise(const NoiseModel& model, std::span<const Image<float>> masks);
 
 }  // namespace texbake

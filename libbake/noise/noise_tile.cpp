@@ -1,5 +1,4 @@
-// Every realisation is one inverse transform; the phases are drawn in reading order of the upper half of the
-// frequencies.
+// Every realisation is one inverse transform; the phases are drawn in the order of the lower half of the frequencies.
 #include "libbake/noise/noise_tile.h"
 
 #include <cassert>
@@ -8,7 +7,6 @@
 #include "libbake/base/fft.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/base/random.h"
-#include "libbake/base/torus.h"
 
 namespace texbake {
 namespace {
@@ -17,32 +15,28 @@ constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
 
-Image<std::complex<float>> random_phases(int size, uint32_t seed, int channel) {
-  assert(size % 2 == 0);
+Image<std::complex<float>> random_phases(int count, uint32_t seed, int channel) {
+  assert(count % 2 == 0);
   Random random(seed, static_cast<uint64_t>(channel));
-  Image<std::complex<float>> phases(size, size);
-  for (int y = 0; y <= size / 2; ++y)
-    for (int x = 0; x < size; ++x) {
-      const int mirror_x = wrap(-x, size);
-      const int mirror_y = wrap(-y, size);
-      if (mirror_y == y && mirror_x < x) continue;  // drawn as its mirror
-      const auto turn = static_cast<double>(random.uniform());
-      if (mirror_x == x && mirror_y == y) {
-        phases(x, y) = turn < 0.5 ? 1.0f : -1.0f;
-        continue;
-      }
-      phases(x, y) = {static_cast<float>(portable_cos(2.0 * kPi * turn)),
-                      static_cast<float>(portable_sin(2.0 * kPi * turn))};
-      phases(mirror_x, mirror_y) = std::conj(phases(x, y));
+  Image<std::complex<float>> phases(count, 1);
+  std::complex<float>* of = phases.data();
+  for (int k = 0; k <= count / 2; ++k) {
+    const auto turn = static_cast<double>(random.uniform());
+    if (2 * k % count == 0) {
+      of[k] = turn < 0.5 ? 1.0f : -1.0f;
+      continue;
     }
+    of[k] = {static_cast<float>(portable_cos(2.0 * kPi * turn)), static_cast<float>(portable_sin(2.0 * kPi * turn))};
+    of[count - k] = std::conj(of[k]);
+  }
   return phases;
 }
 
 Image<float> realise_noise(ImageView<const float> spectrum, ImageView<const std::complex<float>> phases) {
-  assert(same_size(spectrum, phases));
-  Image<std::complex<float>> transform(spectrum.width(), spectrum.height());
-  const auto texels = static_cast<float>(spectrum.size());
-  for (size_t i = 0; i < spectrum.size(); ++i) transform.data()[i] = phases.data()[i] * (spectrum.data()[i] * texels);
+  assert(same_size(spectrum, phases) && spectrum.height() == 1);
+  Image<std::complex<float>> transform(spectrum.width(), 1);
+  const auto count = static_cast<float>(spectrum.size());
+  for (size_t i = 0; i < spectrum.size(); ++i) transform.data()[i] = phases.data()[i] * (spectrum.data()[i] * count);
   return inverse_fft_real<float>(transform);
 }
 

@@ -186,7 +186,7 @@ Image<float> periodogram(ImageView<const float> tile) {
   return spectrum;
 }
 
-Image<float> resample_spectrum(ImageView<const float> spectrum, int size) {
+Image<float> lattice_spectrum(ImageView<const float> spectrum, const NoiseLattice& lattice) {
   const int from = spectrum.width();
   Image<double> power(from, from);
   for (size_t i = 0; i < power.size(); ++i)
@@ -195,12 +195,12 @@ Image<float> resample_spectrum(ImageView<const float> spectrum, int size) {
   power(0, 0) = 0.25 * (power(1, 0) + power(from - 1, 0) + power(0, 1) + power(0, from - 1));
   const Image<double> autocovariance = even_transform<double>(power);
 
-  // Lags of ±T/2 are one sample of the small torus and two of the large one.
-  Image<float> continued(size, size);
+  // Lags of ±T/2 are one sample of the torus and two of the lattice.
+  Image<float> continued(lattice.count, 1);
   for (int y = -from / 2; y <= from / 2; ++y)
     for (int x = -from / 2; x <= from / 2; ++x) {
       const double share = (2 * std::abs(x) == from ? 0.5 : 1.0) * (2 * std::abs(y) == from ? 0.5 : 1.0);
-      continued(wrap(x, size), wrap(y, size)) +=
+      continued.data()[lattice.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y))] +=
           static_cast<float>(share * autocovariance(wrap(x, from), wrap(y, from)));
     }
   return magnitudes(even_transform<float>(continued), spectrum_power(spectrum));

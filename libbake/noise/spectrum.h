@@ -9,6 +9,7 @@
 
 #include "libbake/base/image.h"
 #include "libbake/base/options.h"
+#include "libbake/noise/noise_lattice.h"
 
 namespace texbake {
 
@@ -66,7 +67,8 @@ double spectrum_power(ImageView<const float> spectrum);
 /// The magnitudes of a periodic realisation itself, without its mean: Σ S² is its variance.
 Image<float> periodogram(ImageView<const float> tile);
 
-/// The same noise on size×size frequencies, size ≥ T: the autocovariance continues with zeros. Σ S² is kept.
-Image<float> resample_spectrum(ImageView<const float> spectrum, int size);
+/// The same noise at the frequencies of a lattice, count×1: the autocovariance continues with zeros. Σ S² is kept.
+/// No value of the lattice returns within 1.5 T texels.
+Image<float> lattice_spectrum(ImageView<const float> spectrum, const NoiseLattice& lattice);
 
 }  // namespace texbake

@@ -25,31 +25,32 @@ int angle_idx(double x, double y) {
   return x >= 0.0 ? from_x_axis : 7 - from_x_axis;
 }
 
+/// Adds the power of a frequency in cycles per texel.
+void add_power(Imath::V2d f, float magnitude, Bins& bins) {
+  if (f.x == 0.0 && f.y == 0.0) return;
+  if (f.y < 0.0) f = -f;
+  const int radius = static_cast<int>(std::sqrt(f.x * f.x + f.y * f.y) / 0.5 * kRadii);
+  if (radius >= kRadii) return;
+  bins[static_cast<size_t>(radius * kAngles + angle_idx(f.x, f.y))] +=
+      static_cast<double>(magnitude) * static_cast<double>(magnitude);
+}
+
 Bins binned_power(ImageView<const float> spectrum) {
   Bins bins = {};
   const int size = spectrum.width();
   for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      double fx = shortest(x, size) / static_cast<double>(size);
-      double fy = shortest(y, size) / static_cast<double>(size);
-      if (fx == 0.0 && fy == 0.0) continue;
-      if (fy < 0.0) {
-        fx = -fx;
-        fy = -fy;
-      }
-      const int radius = static_cast<int>(std::sqrt(fx * fx + fy * fy) / 0.5 * kRadii);
-      if (radius >= kRadii) continue;
-      const auto magnitude = static_cast<double>(spectrum(x, y));
-      bins[static_cast<size_t>(radius * kAngles + angle_idx(fx, fy))] += magnitude * magnitude;
-    }
+    for (int x = 0; x < size; ++x)
+      add_power(Imath::V2d(shortest(x, size), shortest(y, size)) / size, spectrum(x, y), bins);
   return bins;
 }
 
-}  // namespace
+Bins binned_power(ImageView<const float> spectrum, const NoiseLattice& lattice) {
+  Bins bins = {};
+  for (int k = 0; k < lattice.count; ++k) add_power(lattice.frequency(k), spectrum(k, 0), bins);
+  return bins;
+}
 
-double spectrum_difference_db(ImageView<const float> a, ImageView<const float> b) {
-  const Bins power_a = binned_power(a);
-  const Bins power_b = binned_power(b);
+double difference_db(const Bins& power_a, const Bins& power_b) {
   const double strongest = *std::max_element(power_b.begin(), power_b.end());
   double squares = 0.0;
   int count = 0;
@@ -62,6 +63,16 @@ double spectrum_difference_db(ImageView<const float> a, ImageView<const float> b
   }
   if (count > 0) return std::sqrt(squares / count);
   return *std::max_element(power_a.begin(), power_a.end()) > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+}  // namespace
+
+double spectrum_difference_db(ImageView<const float> a, ImageView<const float> b) {
+  return difference_db(binned_power(a), binned_power(b));
+}
+
+double spectrum_difference_db(ImageView<const float> a, ImageView<const float> b, const NoiseLattice& lattice) {
+  return difference_db(binned_power(a, lattice), binned_power(b, lattice));
 }
 
 }  // namespace texbake

@@ -54,7 +54,7 @@ void add_cost(const EvaluatorPlanes& planes, std::array<MeasureRow, kMethodCount
   };
   // The masks are one texture, each noise one more fetch.
   const double noise_texels = static_cast<double>(planes.noise_tiles.size());
-  const double noises = planes.noise_size > 0 ? double{1} * planes.noise_tiles.height() / planes.noise_size : 0;
+  const double noises = planes.noise_step != 0 ? planes.noise_tiles.height() >> planes.noise_log2.y : 0;
   const double layers = noises > 0 ? 1 + noises : 0;
   const double layer_bytes = noises > 0 ? (texels + noise_texels) * kWideBytes : 0;
   const SoftCost soft = soft_cost(planes, pictures);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "libbake/base/half.h"
+#include "libbake/eval/noise_levels.h"
 #include "libbake/quality/low_pass.h"
 
 namespace texbake {
@@ -40,6 +41,16 @@ ContentTable reduced_contents(const ContentTable& contents, int factor, V2i size
   return reduced;
 }
 
+/// The box means over factor × factor texels, a power of two, which are a noise of fewer values.
+Image<V3f> reduced_noise(ImageView<const V3f> tile, int row_step, int factor) {
+  Image<Imath::V3d> values(tile.width(), tile.height());
+  std::copy(tile.begin(), tile.end(), values.begin());
+  for (int side = 1; side < factor && values.size() > 1; side *= 2) values = halved_noise(values, row_step);
+  Image<V3f> reduced(values.width(), values.height());
+  for (size_t i = 0; i < values.size(); ++i) reduced.data()[i] = half_exact(V3f(values.data()[i]));
+  return reduced;
+}
+
 }  // namespace
 
 EvaluatorInput ReducedTile::input() const {
@@ -52,6 +63,7 @@ EvaluatorInput ReducedTile::input() const {
     input.noise.emplace();
     for (const Image<float>& mask : masks) input.noise->masks.push_back(mask);
     for (const Image<V3f>& tile : noise_tiles) input.noise->tiles.push_back(tile);
+    input.noise->row_step = noise_step;
   }
   return input;
 }
@@ -82,10 +94,9 @@ ReducedTile reduced_tile(const EvaluatorInput& input, int factor) {
   reduced.soft_border_px = std::min(divided(input.soft_border_px, factor), max_soft_border_px(size));
   if (!input.noise) return reduced;
   for (const auto& mask : input.noise->masks) reduced.masks.push_back(middle_texels(mask, factor));
-  for (const auto& tile : input.noise->tiles) {
-    reduced.noise_tiles.push_back(reduce(tile, factor));
-    for (V3f& texel : reduced.noise_tiles.back()) texel = half_exact(texel);
-  }
+  reduced.noise_step = input.noise->row_step;
+  for (const auto& tile : input.noise->tiles)
+    reduced.noise_tiles.push_back(reduced_noise(tile, reduced.noise_step, factor));
   return reduced;
 }
 

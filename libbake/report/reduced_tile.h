@@ -14,6 +14,7 @@ struct ReducedTile {
   int soft_border_px = 0;
   std::vector<Image<float>> masks;
   std::vector<Image<V3f>> noise_tiles;
+  int noise_step = 0;
 
   EvaluatorInput input() const;
 };

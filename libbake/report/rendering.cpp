@@ -80,7 +80,7 @@ RenderingSources bundle_sources(const EvaluatorPlanes& planes, V2i tiles, uint32
                             return V2i(static_cast<int>(decision.source_x), static_cast<int>(decision.source_y));
                           }),
           picture_of<uint32_t>(size, [&](int x, int y) { return frame.decisions(x, y).patch_idx; }),
-          planes.soft_border_px > 0 || planes.noise_size > 0 ? bundle_luv(planes, tiles, seed) : Image<V3f>()};
+          planes.soft_border_px > 0 || planes.noise_step != 0 ? bundle_luv(planes, tiles, seed) : Image<V3f>()};
 }
 
 RenderingSources periodic_sources(V2i tile, V2i tiles) {

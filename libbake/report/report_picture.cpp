@@ -105,7 +105,7 @@ ReportPicture spectrum_picture(ImageView<const float> spectrum, size_t number) {
 
 void add_layers(const EvaluatorPlanes& planes, const std::vector<ImageView<const float>>& spectra,
                 std::vector<ReportPicture>& pictures) {
-  if (planes.noise_size == 0) return;
+  if (planes.noise_step == 0) return;
   pictures.push_back(shown(planes, Show::structure, {1, 1}, "The structure alone", PictureGroup::layers));
   pictures.push_back(shown(planes, Show::noise, {1, 1}, "The noise alone, about middle grey", PictureGroup::layers));
   pictures.push_back(shown(planes, Show::masks, {1, 1}, "Masks: where each noise lives", PictureGroup::layers));

@@ -87,8 +87,9 @@ BENCHMARK(whole_stage)->Arg(0)->Arg(3)->Unit(benchmark::kMillisecond)->MeasurePr
 
 void one_tile_channel(benchmark::State& state) {
   const Image<float> spectrum = true_spectrum(ring_power, 64, 0.01);
-  const auto phases = random_phases(kSize, 1, 0);
-  for (auto _ : state) benchmark::DoNotOptimize(realise_noise(resample_spectrum(spectrum, kSize), phases));
+  const NoiseLattice lattice = noise_lattice(kSize);
+  const auto phases = random_phases(lattice.count, 1, 0);
+  for (auto _ : state) benchmark::DoNotOptimize(realise_noise(lattice_spectrum(spectrum, lattice), phases));
 }
 BENCHMARK(one_tile_channel)->Unit(benchmark::kMillisecond);
 

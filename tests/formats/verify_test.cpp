@@ -144,6 +144,7 @@ std::vector<Fault> faults_of_the_manifest() {
       {.id = count_mismatch, .manifest = [](Json& json) { json["noise"]["noises"].erase(1); }},
       {.id = plane_missing, .manifest = [](Json& json) { scale_of(json)["planes"].erase("masks"); }},
       {.id = schema_violation, .manifest = [](Json& json) { json["noise"]["tileSize"] = 500; }},
+      {.id = schema_violation, .manifest = [](Json& json) { json["noise"]["rowStep"] = 5000; }},
       {.id = member_unknown, .manifest = [](Json& json) { scale_of(json)["colour"] = 1; }},
       {.id = scale_order,
        .bundle =
@@ -407,9 +408,9 @@ TEST(Verify, AManifestThatMayNotBeReadIsAnIoError) {
 TEST(Verify, ReadingThrowsTheFirstErrorOfWhatItChecks) {
   // What costs a pass over neighbours or sums is verify's alone.
   const std::set<IssueId> only_verify = {
-      palette_unit,    palette_sign,   mean_mismatch,  shape_empty,      shape_not_connected,
-      shape_owner,    shape_too_large, fragment_split, fragment_color, content_identity, content_translation,
-      content_matrix, mask_sum,        spectrum_form,  noise_axes,     state_mismatch};
+      palette_unit,    palette_sign,   mean_mismatch,  shape_empty,      shape_not_connected, shape_owner,
+      shape_too_large, fragment_split, fragment_color, content_identity, content_translation, content_matrix,
+      mask_sum,        spectrum_form,  noise_axes,     state_mismatch};
   for (const Fault& fault : all_faults()) {
     const IssueKind& kind = issue_kind(fault.id);
     SCOPED_TRACE(kind.name);

@@ -86,20 +86,25 @@ inline ContentTable golden_contents(const nlohmann::json& json, int patch_count)
   return table;
 }
 
-/// Masks and noises; none in a file without them.
-inline std::pair<std::vector<Image<float>>, std::vector<Image<V3f>>> golden_noise(const nlohmann::json& json,
-                                                                                  V2i size) {
+struct GoldenNoise {
   std::vector<Image<float>> masks;
   std::vector<Image<V3f>> noises;
-  if (!json.contains("noise_size")) return {};
-  const int side = json.at("noise_size");
+  int step = 0;
+};
+
+/// Masks and noises; none in a file without them.
+inline GoldenNoise golden_noise(const nlohmann::json& json, V2i size) {
+  GoldenNoise golden;
+  if (!json.contains("noise_step")) return golden;
+  const int side = json.at("noise_side");
+  golden.step = json.at("noise_step");
   for (size_t k = 0; k < json.at("noises").size(); ++k) {
-    Image<float>& mask = masks.emplace_back(size.x, size.y);
+    Image<float>& mask = golden.masks.emplace_back(size.x, size.y);
     for (size_t i = 0; i < mask.size(); ++i) mask.data()[i] = json.at("masks").at(k).at(i).get<float>() / 2048.0f;
-    Image<V3f>& noise = noises.emplace_back(side, side);
+    Image<V3f>& noise = golden.noises.emplace_back(side, side);
     for (size_t i = 0; i < noise.size(); ++i) noise.data()[i] = golden_color(json.at("noises").at(k).at(i));
   }
-  return {std::move(masks), std::move(noises)};
+  return golden;
 }
 
 inline GoldenPoint golden_point(const nlohmann::json& json) {
@@ -125,7 +130,7 @@ inline Golden read_golden(const std::string& name) {
   const V2i size(json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>());
   Image<V3f> base(size.x, size.y);
   for (size_t i = 0; i < base.size(); ++i) base.data()[i] = golden_color(json.at("base").at(i));
-  const auto [masks, noises] = golden_noise(json, size);
+  const auto [masks, noises, step] = golden_noise(json, size);
   const PatchMap patches = golden_patches(json, size);
   const ContentTable contents = golden_contents(json, patches.partition.count());
 
@@ -135,7 +140,7 @@ inline Golden read_golden(const std::string& name) {
   input.base = base;
   input.patches = &patches;
   input.contents = &contents;
-  if (!masks.empty()) input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}};
+  if (!masks.empty()) input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}, step};
   golden.planes = prepare(input);
   add_levels(golden.planes);
   for (const auto& point : json.at("points")) golden.points.push_back(golden_point(point));

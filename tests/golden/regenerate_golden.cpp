@@ -103,7 +103,8 @@ Json tile_json(const SmallTile& tile) {
   }
   for (const V3f& c : tile.base) json["base"].push_back(color_json(c));
   if (tile.masks.empty()) return json;
-  json["noise_size"] = tile.noises[0].width();
+  json["noise_side"] = tile.noises[0].width();
+  json["noise_step"] = tile.noise_step;
   for (size_t k = 0; k < tile.masks.size(); ++k) {
     for (const float weight : tile.masks[k]) json["masks"][k].push_back(static_cast<int>(weight * 2048));
     for (const V3f& c : tile.noises[k]) json["noises"][k].push_back(color_json(c));

@@ -121,16 +121,14 @@ class LevelPainter {
     return sum / static_cast<double>(tile_.noises[k].size());
   }
 
-  /// What noise k has in a square beside its mean, rounded to half: the squares of the noise's own tile repeat.
+  /// What noise k has in a square beside its mean, rounded to half.
   float grain(size_t k, int channel, int64_t x, int64_t y, int side) const {
     const Image<V3f>& noise = tile_.noises[k];
     if (side > noise.width()) return 0;
-    const int64_t squares = noise.width() / side;
-    const int left = static_cast<int>(x - Painter::floor_div(x, squares) * squares) * side;
-    const int top = static_cast<int>(y - Painter::floor_div(y, squares) * squares) * side;
     double sum = 0;
     for (int j = 0; j < side; ++j)
-      for (int i = 0; i < side; ++i) sum += double{noise(left + i, top + j)[channel]};
+      for (int i = 0; i < side; ++i)
+        sum += double{noise.data()[painter_.noise_number(noise, x * side + i, y * side + j)][channel]};
     return half_exact(static_cast<float>(sum / side / side - noise_mean(k, channel)));
   }
 

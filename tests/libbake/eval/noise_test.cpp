@@ -58,17 +58,22 @@ TEST(NoiseLayer, ZeroNoiseIsTheStructureAlone) {
   EXPECT_EQ(render(tile.planes(), texel_window({40, 24}, -77, 5, 96, 1)), structure);
 }
 
-TEST(NoiseLayer, ItDoesNotFollowContentsAndRepeatsAcrossTheWrapOfRepetitions) {
+TEST(NoiseLayer, ItDoesNotFollowContentsAndIsSeamlessWhereCoordinatesWrap) {
   // One noise under a constant structure: what is seen is the noise, at every content and repetition.
   SmallTile tile = random_tile({40, 24}, 5, Contents::turned, 52);
   for (V3f& color : tile.base) color = V3f(0.5f);
   add_noise(tile, 1, 16, 52);
-  const int64_t wrap_x = (int64_t{1} << 32) * 40 - 48;
-  for (const int64_t x0 : {int64_t{0}, int64_t{-48}, wrap_x}) {
-    const Image<V3f> seen = render(tile.planes(), texel_window({40, 24}, x0, -16, 96, 4));
-    for (int y = 0; y < 96; ++y)
-      for (int x = 0; x < 96; ++x) EXPECT_EQ(seen(x, y), V3f(0.5f) + tile.noises[0](x % 16, y % 16));
-  }
+  constexpr int64_t kWrap = int64_t{1} << 32;
+  for (const int64_t x0 : {int64_t{0}, int64_t{-48}, kWrap - 48, kWrap * 40 - 48})
+    for (const int64_t y0 : {int64_t{-16}, kWrap - 16}) {
+      const Image<V3f> seen = render(tile.planes(), texel_window({40, 24}, x0, y0, 96, 4));
+      for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+          // 161 further in each row, and x0 = -48, y0 = -16 but for multiples of the 256 values.
+          const int n = (x + (x0 == 0 ? 0 : 256 - 48) + 161 * (y + 240)) % 256;
+          EXPECT_EQ(seen(x, y), V3f(0.5f) + tile.noises[0].data()[n]);
+        }
+    }
 }
 
 TEST(NoiseLayer, WeightsSumToOneUnderEveryTurn) {
@@ -93,7 +98,7 @@ TEST(NoiseLayer, WhatDoesNotFitIsRefused) {
   SmallTile good = random_tile({40, 24}, 5, Contents::moved, 54);
   add_noise(good, 2, 16, 54);
   const auto refused = [&](const auto& spoil) {
-    SmallTile tile{good.base.clone(), {unwrap(good.patches.partition.idx.clone())}, good.contents, {}, {}};
+    SmallTile tile{good.base.clone(), {unwrap(good.patches.partition.idx.clone())}, good.contents};
     add_noise(tile, 2, 16, 54);
     spoil(tile);
     EXPECT_THROW(tile.planes(), Error);
@@ -103,6 +108,9 @@ TEST(NoiseLayer, WhatDoesNotFitIsRefused) {
   refused([](SmallTile& tile) { tile.masks[0](3, 3) = -1.0f / 2048; });
   refused([](SmallTile& tile) { tile.masks[1](3, 3) += 1.0f / 2048; });
   refused([](SmallTile& tile) { tile.noises[0] = Image<V3f>(24, 24); });
+  refused([](SmallTile& tile) { tile.noises[1] = Image<V3f>(32, 16); });
+  refused([](SmallTile& tile) { tile.noise_step = 160; });
+  refused([](SmallTile& tile) { tile.noise_step = 0; });
   refused([](SmallTile& tile) { tile.masks[0] = Image<float>(24, 40); });
 }
 

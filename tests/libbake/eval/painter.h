@@ -54,6 +54,14 @@ class Painter {
     return static_cast<int>(h / 65536 * static_cast<uint64_t>(tile_.contents.content_count) / 65536);
   }
 
+  /// Which value of a noise, in reading order, the texel (x, y) of the infinite texture shows: one more for each texel
+  /// to the right, noise_step more for each row, and so backwards.
+  size_t noise_number(const Image<V3f>& noise, int64_t x, int64_t y) const {
+    const auto count = static_cast<int64_t>(noise.size());
+    const auto rest = [count](int64_t n) { return (n % count + count) % count; };
+    return static_cast<size_t>(rest(rest(x) + tile_.noise_step * rest(y)));
+  }
+
   static int64_t floor_div(int64_t a, int64_t b) {
     return static_cast<int64_t>(std::floor(static_cast<double>(a) / static_cast<double>(b)));
   }
@@ -116,8 +124,7 @@ class Painter {
     for (size_t k = 0; k < tile_.noises.size(); ++k) {
       const auto weight = static_cast<double>(weights[static_cast<int>(k)]);
       const Image<V3f>& noise = tile_.noises[k];
-      const int64_t n = noise.width();
-      const V3f& value = noise(static_cast<int>(x - floor_div(x, n) * n), static_cast<int>(y - floor_div(y, n) * n));
+      const V3f& value = noise.data()[noise_number(noise, x, y)];
       for (int channel = 0; channel < 3; ++channel)
         color[channel] =
             static_cast<float>(static_cast<double>(color[channel]) + weight * static_cast<double>(value[channel]));

@@ -20,6 +20,7 @@ struct SmallTile {
   ContentTable contents;
   std::vector<Image<float>> masks = {};  ///< none: no noise
   std::vector<Image<V3f>> noises = {};
+  int noise_step = 0;
   int soft_border_px = 0;
 
   V2i size() const { return {base.width(), base.height()}; }
@@ -29,7 +30,8 @@ struct SmallTile {
     input.patches = &patches;
     input.contents = &contents;
     input.soft_border_px = soft_border_px;
-    if (!masks.empty()) input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}};
+    if (!masks.empty())
+      input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}, noise_step};
     return input;
   }
   EvaluatorPlanes planes() const { return prepare(input()); }
@@ -132,6 +134,7 @@ inline std::vector<Image<V3f>> random_noises(int side, int count, uint64_t seed)
 inline void add_noise(SmallTile& tile, int count, int side, uint64_t seed) {
   tile.masks = random_masks(tile.size(), count, seed);
   tile.noises = random_noises(side, count, seed);
+  tile.noise_step = side * side * 5 / 8 + 1;
 }
 
 inline SmallTile random_tile(V2i size, int count, Contents kind, uint64_t seed) {

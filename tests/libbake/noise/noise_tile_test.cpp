@@ -15,45 +15,79 @@ double correlation(const Image<float>& a, const Image<float>& b) {
   return ab / double(a.size()) / std::sqrt(variance_of(a) * variance_of(b));
 }
 
+constexpr NoiseLattice kLattice{128 * 128, 6229};
+
+Image<float> realised(const Image<float>& spectrum, uint32_t seed, int channel) {
+  return realise_noise(spectrum, random_phases(spectrum.width(), seed, channel));
+}
+
 TEST(RandomPhases, AreHermitianAndOfUnitLength) {
-  const auto phases = random_phases(16, 1, 0);
-  for (int y = 0; y < 16; ++y)
-    for (int x = 0; x < 16; ++x) {
-      EXPECT_NEAR(std::abs(phases(x, y)), 1.0f, 1e-6f);
-      EXPECT_EQ(phases(x, y), std::conj(phases(wrap(-x, 16), wrap(-y, 16))));
+  const auto phases = random_phases(64, 1, 0);
+  for (int k = 0; k < 64; ++k) {
+    EXPECT_NEAR(std::abs(phases(k, 0)), 1.0f, 1e-6f);
+    EXPECT_EQ(phases(k, 0), std::conj(phases(wrap(-k, 64), 0)));
+  }
+  EXPECT_EQ(phases(0, 0).imag(), 0.0f);
+  EXPECT_EQ(phases(32, 0).imag(), 0.0f);
+}
+
+TEST(RealiseNoise, IsTheSumOfWavesOnThePlane) {
+  // The obvious way: at every texel of the plane, all waves of the lattice's frequencies.
+  const NoiseLattice lattice{256, 161};
+  const Image<float> spectrum = true_spectrum(blob_power, lattice, 1.0);
+  const auto phases = random_phases(256, 5, 0);
+  const Image<float> noise = realise_noise(spectrum, phases);
+  for (const V2i& p : {V2i(0, 0), V2i(1, 0), V2i(0, 1), V2i(15, 9), V2i(-3, 700), V2i(12345, -6789)}) {
+    double sum = 0.0;
+    for (int k = 0; k < 256; ++k) {
+      const Imath::V2d f = lattice.frequency(k);
+      sum += double(spectrum(k, 0)) * std::cos(2 * M_PI * (f.x * p.x + f.y * p.y) + double(std::arg(phases(k, 0))));
     }
+    const uint32_t index = lattice.index(static_cast<uint32_t>(p.x), static_cast<uint32_t>(p.y));
+    EXPECT_NEAR(double(noise.data()[index]), sum, 1e-5);
+  }
 }
 
 TEST(RealiseNoise, HasTheVarianceAndTheSpectrumOfItsModel) {
   for (const PowerLaw& law : {PowerLaw(ring_power), PowerLaw(blob_power)}) {
-    const Image<float> spectrum = true_spectrum(law, 128, 0.02);
-    const Image<float> noise = realise_noise(spectrum, random_phases(128, 1, 0));
+    const Image<float> spectrum = true_spectrum(law, kLattice, 0.02);
+    const Image<float> noise = realised(spectrum, 1, 0);
     EXPECT_NEAR(variance_of(noise), 0.02, 1e-6);  // exact but for the float transform
     double sum = 0.0;
     for (const float value : noise) sum += double(value);
     EXPECT_NEAR(sum / double(noise.size()), 0.0, 1e-7);
-    EXPECT_LE(spectrum_difference_db(periodogram(noise), spectrum), 0.01);
+    EXPECT_LE(spectrum_difference_db(periodogram(noise), spectrum, kLattice), 0.01);
+  }
+}
+
+TEST(RealiseNoise, OnThePlaneItHasTheSpectrumInEveryDirection) {
+  // A window sees a bin through a few thousand frequencies of random phase; where the spectrum is steep, few count.
+  const PowerLaw streaks = [](double fx, double fy) { return ring_power(2 * fx, 0.5 * fy); };
+  const NoiseLattice lattice = noise_lattice(1024);
+  for (const PowerLaw& law : {PowerLaw(ring_power), PowerLaw(blob_power), streaks}) {
+    const Image<float> noise = realised(true_spectrum(law, lattice, 0.02), 1, 0);
+    const Image<float> seen = periodogram(windowed(unrolled(noise, lattice, 512)));
+    EXPECT_LE(spectrum_difference_db(seen, true_spectrum(law, 512, 0.02)), 1.0);
   }
 }
 
 TEST(RealiseNoise, ChannelsAreIndependent) {
-  const Image<float> spectrum = true_spectrum(ring_power, 256, 1.0);
-  const Image<float> a = realise_noise(spectrum, random_phases(256, 1, 0));
-  for (const int channel : {1, 2})
-    EXPECT_NEAR(correlation(a, realise_noise(spectrum, random_phases(256, 1, channel))), 0.0, 0.05);
-  EXPECT_NEAR(correlation(a, realise_noise(spectrum, random_phases(256, 2, 0))), 0.0, 0.05);
-  EXPECT_NEAR(correlation(a, realise_noise(spectrum, random_phases(256, 1, 0))), 1.0, 1e-6);
+  const Image<float> spectrum = true_spectrum(ring_power, noise_lattice(512), 1.0);
+  const Image<float> a = realised(spectrum, 1, 0);
+  for (const int channel : {1, 2}) EXPECT_NEAR(correlation(a, realised(spectrum, 1, channel)), 0.0, 0.025);
+  EXPECT_NEAR(correlation(a, realised(spectrum, 2, 0)), 0.0, 0.025);
+  EXPECT_NEAR(correlation(a, realised(spectrum, 1, 0)), 1.0, 1e-6);
 }
 
 TEST(RealiseNoise, AnEvenBlendKeepsTheDeviationBecausePhasesAreShared) {
   // Same shape, powers 1 and 4: deviations 1 and 2, an even blend has 1.5.
-  const Image<float> weak = true_spectrum(ring_power, 128, 1.0);
-  const Image<float> strong = true_spectrum(ring_power, 128, 4.0);
-  const Image<float> a = realise_noise(weak, random_phases(128, 1, 0));
-  const Image<float> shared = realise_noise(strong, random_phases(128, 1, 0));
-  const Image<float> apart = realise_noise(strong, random_phases(128, 2, 0));
-  Image<float> blend(128, 128);
-  Image<float> independent(128, 128);
+  const Image<float> weak = true_spectrum(ring_power, kLattice, 1.0);
+  const Image<float> strong = true_spectrum(ring_power, kLattice, 4.0);
+  const Image<float> a = realised(weak, 1, 0);
+  const Image<float> shared = realised(strong, 1, 0);
+  const Image<float> apart = realised(strong, 2, 0);
+  Image<float> blend(kLattice.count, 1);
+  Image<float> independent(kLattice.count, 1);
   for (size_t i = 0; i < blend.size(); ++i) {
     blend.data()[i] = 0.5f * (a.data()[i] + shared.data()[i]);
     independent.data()[i] = 0.5f * (a.data()[i] + apart.data()[i]);
@@ -63,14 +97,14 @@ TEST(RealiseNoise, AnEvenBlendKeepsTheDeviationBecausePhasesAreShared) {
 }
 
 TEST(RealiseNoise, ABlendHasTheBlendedMagnitudes) {
-  const Image<float> ring = true_spectrum(ring_power, 64, 1.0);
-  const Image<float> blob = true_spectrum(blob_power, 64, 1.0);
-  const auto phases = random_phases(64, 1, 0);
-  const Image<float> a = realise_noise(ring, phases);
-  const Image<float> b = realise_noise(blob, phases);
-  Image<float> mixed(64, 64);
+  const NoiseLattice lattice{64 * 64, 1201};
+  const Image<float> ring = true_spectrum(ring_power, lattice, 1.0);
+  const Image<float> blob = true_spectrum(blob_power, lattice, 1.0);
+  const Image<float> a = realised(ring, 1, 0);
+  const Image<float> b = realised(blob, 1, 0);
+  Image<float> mixed(lattice.count, 1);
   for (size_t i = 0; i < mixed.size(); ++i) mixed.data()[i] = 0.3f * ring.data()[i] + 0.7f * blob.data()[i];
-  const Image<float> c = realise_noise(mixed, phases);
+  const Image<float> c = realised(mixed, 1, 0);
   for (size_t i = 0; i < c.size(); ++i)
     EXPECT_NEAR(c.data()[i], 0.3f * a.data()[i] + 0.7f * b.data()[i], 1e-5f);  // linear: S_x = Σ M_k S_k (§3.2)
 }

@@ -123,12 +123,40 @@ TEST(MaskedSpectrum, SaysWhetherAMaskIsSmallOrScattered) {
   EXPECT_THAT(message(scattered), testing::HasSubstr("64 pairs of neighbours in its mask"));
 }
 
-TEST(ResampleSpectrum, KeepsPowerAndShape) {
+TEST(LatticeSpectrum, KeepsPowerAndShape) {
   const Image<float> small = true_spectrum(blob_power, 32, 0.5);
-  const Image<float> large = resample_spectrum(small, 128);
+  const NoiseLattice lattice{128 * 128, 6229};
+  const Image<float> large = lattice_spectrum(small, lattice);
   EXPECT_NEAR(power_of(large), 0.5, 1e-5);
-  EXPECT_LE(power_error(large, true_spectrum(blob_power, 128, 0.5)),
+  EXPECT_LE(power_error(large, true_spectrum(blob_power, lattice, 0.5)),
             0.1);  // the peak at 0 is the mean of its neighbours
+}
+
+/// The autocovariance at a lag within ±T/2, by definition; the power at 0 is the mean of its neighbours'.
+double lag_product(const Image<float>& spectrum, int x, int y) {
+  const int size = spectrum.width();
+  const auto power = [&](int u, int v) { return double(spectrum(u, v)) * double(spectrum(u, v)); };
+  double sum = (power(1, 0) + power(0, 1)) / 2;
+  for (int v = 0; v < size; ++v)
+    for (int u = 0; u < size; ++u) sum += power(u, v) * std::cos(2 * M_PI * (u * x + v * y) / size);
+  return sum * (2 * std::abs(x) == size ? 0.5 : 1.0) * (2 * std::abs(y) == size ? 0.5 : 1.0);
+}
+
+TEST(LatticeSpectrum, IsTheSumOverLagsAtEveryFrequency) {
+  const Image<float> small = true_spectrum(ring_power, 8, 0.5);
+  const NoiseLattice lattice{256, 161};
+  const Image<float> found = lattice_spectrum(small, lattice);
+  std::vector<double> power(256, 0.0);
+  double total = 0.0;
+  for (int k = 1; k < 256; ++k) {
+    const Imath::V2d f = lattice.frequency(k);
+    double& sum = power[static_cast<size_t>(k)];
+    for (int y = -4; y <= 4; ++y)
+      for (int x = -4; x <= 4; ++x) sum += lag_product(small, x, y) * std::cos(2 * M_PI * (f.x * x + f.y * y));
+    total += sum = std::max(sum, 0.0);
+  }
+  for (int k = 0; k < 256; ++k)
+    EXPECT_NEAR(double(found(k, 0)) * double(found(k, 0)), power[static_cast<size_t>(k)] * 0.5 / total, 1e-7) << k;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "libbake/base/image.h"
 #include "libbake/base/random.h"
 #include "libbake/base/torus.h"
+#include "libbake/noise/noise_lattice.h"
 
 namespace texbake {
 
@@ -35,6 +36,41 @@ inline Image<float> true_spectrum(const PowerLaw& law, int size, double variance
         spectrum(x, y) = static_cast<float>(
             std::sqrt(law(shortest(x, size) / double(size), shortest(y, size) / double(size)) * variance / total));
   return spectrum;
+}
+
+/// The same at the frequencies of a lattice, count×1.
+inline Image<float> true_spectrum(const PowerLaw& law, const NoiseLattice& lattice, double variance) {
+  Image<float> spectrum(lattice.count, 1);
+  double total = 0.0;
+  for (int k = 1; k < lattice.count; ++k) total += law(lattice.frequency(k).x, lattice.frequency(k).y);
+  for (int k = 1; k < lattice.count; ++k)
+    spectrum(k, 0) =
+        static_cast<float>(std::sqrt(law(lattice.frequency(k).x, lattice.frequency(k).y) * variance / total));
+  return spectrum;
+}
+
+/// side × side texels of the plane that a noise on a lattice covers.
+inline Image<float> unrolled(const Image<float>& noise, const NoiseLattice& lattice, int side) {
+  Image<float> plane(side, side);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      plane(x, y) = noise.data()[lattice.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y))];
+  return plane;
+}
+
+/// A picture that does not repeat, under a Hann window of unit power, for a periodogram.
+inline Image<float> windowed(const Image<float>& picture) {
+  Image<float> result(picture.width(), picture.height());
+  const auto hann = [](int i, int n) {
+    return std::sqrt(8.0 / 3.0) * (0.5 - 0.5 * std::cos(2 * M_PI * (i + 0.5) / n));
+  };
+  double mean = 0.0;
+  for (const float value : picture) mean += double(value) / double(picture.size());
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      result(x, y) =
+          static_cast<float>((double(picture(x, y)) - mean) * hann(x, picture.width()) * hann(y, picture.height()));
+  return result;
 }
 
 /// Independent normal values: sums of twelve uniform ones.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "libbake/base/half.h"
+#include "libbake/base/random.h"
 #include "libbake/eval/window.h"
 #include "tests/libbake/report/tile_fixture.h"
 
@@ -41,14 +43,23 @@ TEST(ReducedTile, DrawsTheMeansOfWhatTheWholeTileDraws) {
 TEST(ReducedTile, KeepsNoisesPowersOfTwo) {
   TileFixture fixture = tile_fixture(96, 2);
   const Image<float> mask(96, 96, 1.0f);
-  const Image<V3f> noise(64, 64, V3f(0.125f));
+  Image<V3f> noise(64, 64);
+  Random random(3, 0);
+  for (V3f& value : noise) value = half_exact(V3f(random.uniform()));
   EvaluatorInput input = fixture.input();
   EXPECT_EQ(reduction_to(input, 32), 3);
-  input.noise = NoiseInput{{mask}, {noise}};
+  input.noise = NoiseInput{{mask}, {noise}, 1201};
   EXPECT_EQ(reduction_to(input, 32), 4);
   const ReducedTile reduced = reduced_tile(input, 4);
   ASSERT_EQ(reduced.noise_tiles.size(), 1u);
-  EXPECT_EQ(reduced.noise_tiles[0].width(), 16);
+  ASSERT_EQ(reduced.noise_tiles[0].size(), 64u * 64 / 4) << "a quarter of the blocks of 4 x 4 texels, in a row";
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 5; ++x) {
+      double sum = 0;
+      for (int j = 4 * y; j < 4 * y + 4; ++j)
+        for (int i = 4 * x; i < 4 * x + 4; ++i) sum += double{noise.data()[(i + 1201 * j) % 4096].x};
+      EXPECT_EQ(reduced.noise_tiles[0].data()[(x + 1201 * y) % 1024].x, half_exact(static_cast<float>(sum / 16)));
+    }
   EXPECT_EQ(reduced.masks[0].width(), 24);
   EXPECT_NO_THROW(prepare(reduced.input()));
 }

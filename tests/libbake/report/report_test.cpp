@@ -92,7 +92,7 @@ TEST(Report, JudgesTheNoiseLayerWhereThereIsOneAndPassesNothingThatWasNotRecorde
   const Image<float> spectrum(16, 16, 1.0f);
   ReportInput input;
   input.tile = fixture.input();
-  input.tile.noise = NoiseInput{{mask}, {noise}};
+  input.tile.noise = NoiseInput{{mask}, {noise}, 161};
   input.exemplar = fixture.base;
   input.noise = NoiseSummary{.spectrum_db = 0.5, .power_error = 0.01, .coherence_drop = 0.2};
   input.spectra.push_back(spectrum);
