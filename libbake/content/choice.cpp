@@ -42,10 +42,12 @@ struct PatchState {
   std::vector<std::vector<uint32_t>> cells;  // that show there, with every content number
   std::vector<FarField> shown;               // with every content number
   std::vector<double> energies;              // of `shown`, from afar
+  std::vector<double> farther_energies;      // and from farther still
   std::vector<double> impacts;               // relative to the mean over the candidates
   std::vector<int> chosen;                   // content numbers, the identity first
   FarField sum;                              // of `shown` over the chosen
   double energy_sum = 0;                     // of `energies` over the chosen
+  double farther_sum = 0;                    // of `farther_energies`
 };
 
 class BalancedChoice {
@@ -53,6 +55,7 @@ class BalancedChoice {
   BalancedChoice(const ContentCandidates& candidates, ImageView<const V3f> luv, const Partition& patches,
                  const ChoiceWeights& weights)
       : view_(luv, patches),
+        farther_(luv, patches, FarView::kFarther),
         grid_(use_grid(patches.size())),
         weights_(weights),
         use_(static_cast<size_t>(grid_.cells.x * grid_.cells.y), 0),
@@ -123,6 +126,7 @@ class BalancedChoice {
     }
     patch.shown.push_back(view_.shown(idx, content));
     patch.energies.push_back(view_.energy(patch.shown.back()));
+    patch.farther_energies.push_back(farther_.energy(patch.shown.back()));
   }
 
   static void find_impacts(const std::vector<Content>& candidates, PatchState& patch) {
@@ -149,6 +153,7 @@ class BalancedChoice {
     patch.chosen.push_back(number);
     patch.sum += patch.shown[static_cast<size_t>(number)];
     patch.energy_sum += patch.energies[static_cast<size_t>(number)];
+    patch.farther_sum += patch.farther_energies[static_cast<size_t>(number)];
     add_to_mean(patch, 1.0f);
     count_use(patch, number, 1);
   }
@@ -159,6 +164,7 @@ class BalancedChoice {
     gone *= -1.0f;
     patch.sum += gone;
     patch.energy_sum -= patch.energies[static_cast<size_t>(number)];
+    patch.farther_sum -= patch.farther_energies[static_cast<size_t>(number)];
     add_to_mean(patch, 1.0f);
     count_use(patch, number, -1);
   }
@@ -187,11 +193,14 @@ class BalancedChoice {
                         weights_.steps * 2.0 / mean_use_ * steps_.visibility(p, n) +
                         weights_.use * patch_count * use / (static_cast<double>(use_.size()) * mean_use_ * mean_use_);
     const double repeating = 2.0 * dot(surroundings, patch.shown[n]) / count + patch.energies[n] / (count * count);
-    const double energy = (patch.energy_sum + patch.energies[n]) / count;
     const double share = view_.share_of(static_cast<uint32_t>(p));
-    const double fair = share * (view_.tile_energy() + unseen_);
+    const auto unlike = [&](double energy, double of_tile) {
+      return share > 0.0 ? std::fabs(portable_log((energy / share + unseen_) / (of_tile + unseen_))) : 0.0;
+    };
     return cost + weights_.balance * patch_count * repeating / (view_.tile_energy() + unseen_) +
-           (share > 0.0 ? weights_.energy * std::fabs(portable_log((energy + share * unseen_) / fair)) : 0.0);
+           weights_.energy * unlike((patch.energy_sum + patch.energies[n]) / count, view_.tile_energy()) +
+           weights_.farther_energy *
+               unlike((patch.farther_sum + patch.farther_energies[n]) / count, farther_.tile_energy());
   }
 
   Addition best_addition(size_t p) const {
@@ -228,7 +237,7 @@ class BalancedChoice {
     return improved;
   }
 
-  FarView view_;
+  FarView view_, farther_;
   CellGrid grid_;
   ChoiceWeights weights_;
   std::vector<int> use_;  // of each cell

@@ -10,9 +10,8 @@
 namespace texbake {
 namespace {
 
-constexpr int kCells = 32;            // along the shorter side: two for each σ, which is all that B leaves
-constexpr int kPiecesPerCell = 8;     // along each axis
-constexpr double kSigmaShare = 16.0;  // σ is this part of the shorter side
+constexpr int kCells = 32;         // along the shorter side: two for the narrowest σ, which is all that B leaves
+constexpr int kPiecesPerCell = 8;  // along each axis
 
 CellGrid grid_of(V2i size, int along_shorter) {
   const int side = std::min(size.x, size.y);
@@ -75,7 +74,7 @@ double dot(const FarField& a, const FarField& b) {
   return sum;
 }
 
-FarView::FarView(ImageView<const V3f> base_luv, const Partition& patches)
+FarView::FarView(ImageView<const V3f> base_luv, const Partition& patches, double sigma)
     : partition_(patches),
       grid_(grid_of({base_luv.width(), base_luv.height()}, kCells)),
       pieces_(grid_of({base_luv.width(), base_luv.height()}, kCells * kPiecesPerCell)),
@@ -85,9 +84,9 @@ FarView::FarView(ImageView<const V3f> base_luv, const Partition& patches)
   parallel_for(0, pieces_.cells.y, [&](int y) {
     for (int x = 0; x < pieces_.cells.x; ++x) piece_mean_(x, y) = cell_mean(base_luv, {x, y}, pieces_) - mean;
   });
-  const double sigma = std::min(grid_.cells.x, grid_.cells.y) / kSigmaShare;
-  kernel_x_ = twice_folded(sigma, grid_.cells.x);
-  kernel_y_ = twice_folded(sigma, grid_.cells.y);
+  const double sigma_cells = sigma * std::min(grid_.cells.x, grid_.cells.y);
+  kernel_x_ = twice_folded(sigma_cells, grid_.cells.x);
+  kernel_y_ = twice_folded(sigma_cells, grid_.cells.y);
   find_pieces(patches);
   FarField tile = blank();
   for (uint32_t patch = 0; patch < patches_.size(); ++patch) add(shown(patch, Content{}), tile);

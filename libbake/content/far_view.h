@@ -25,11 +25,14 @@ struct FarField {
 /// Σ over the cells of a · b; both of the same rectangle.
 double dot(const FarField& a, const FarField& b);
 
-/// The tile on a grid of about 32 cells along its shorter side, seen through a Gaussian B of 1/16 of that side.
+/// The tile on a grid of about 32 cells along its shorter side, seen through a Gaussian B.
 class FarView {
  public:
-  /// `base_luv` is the base in CIELUV; `patches` is borrowed.
-  FarView(ImageView<const V3f> base_luv, const Partition& patches);
+  static constexpr double kFar = 1.0 / 16;     ///< σ of the measures of repetition, in shorter sides
+  static constexpr double kFarther = 1.0 / 8;  ///< of the measure of the largest shapes
+
+  /// `base_luv` is the base in CIELUV; `patches` is borrowed. `sigma` is at least 1/16: cells are 1/32.
+  FarView(ImageView<const V3f> base_luv, const Partition& patches, double sigma = kFar);
 
   /// What `patch` shows with `content`, less the tile's mean colour: for each cell near the patch the sum over what the
   /// patch covers of it, divided by the cell's area.
