@@ -94,10 +94,21 @@ void add_scale(Bundle& stack, NamedBundle& named, const std::string& name) {
   stack.scales.push_back(std::move(bundle.scales[0]));
 }
 
-Json error_json(const TransferError& error) { return {{"rms", error.rms}, {"worst", error.worst}}; }
+Json error_json(const TransferError& error) {
+  return {{"rms", error.rms}, {"worst", error.worst}, {"belowBlack", error.below_black}};
+}
+
+void warn_of_black(const ScaleTransfer& transfer, double share, const std::string& scale, Console& console) {
+  constexpr double kSeen = 0.02;  // on four pairs of photographs less is not seen
+  if (share < kSeen || transfer.detail == DetailStrength::relative) return;
+  console.warning(
+      fmt::format("scale {}: {:.0f} % of its texels are darker than black where the coarse scale is dark, and "
+                  "lose their detail; --detail relative keeps it",
+                  scale, 100 * share));
+}
 
 /// Eq. 4, for both means that a stack may subtract.
-Json figures_of(Bundle& stack) {
+Json figures_of(Bundle& stack, Console& console) {
   constexpr int kMostFineTexels = 768;  // along each axis: time stays small for any ratio
   Json list = Json::array();
   for (size_t s = 1; s < stack.scales.size(); ++s) {
@@ -105,13 +116,16 @@ Json figures_of(Bundle& stack) {
     const int side = std::clamp(kMostFineTexels / transfer.ratio, 1, 48);
     Json figures = {{"scale", stack.scales[s].name}, {"coarseTexels", side * side}};
     const DetailMean chosen = transfer.detail_mean;
+    double below_black = 0;
     for (const DetailMean mean : {DetailMean::tile, DetailMean::local}) {
       transfer.detail_mean = mean;
       const TransferError error = transfer_error(prepare_stack(stack_input(stack)), static_cast<int>(s), side);
       figures[mean == DetailMean::tile ? "violationTileMean" : "violationLocalMean"] = error_json(error);
+      if (mean == chosen) below_black = error.below_black;
     }
     transfer.detail_mean = chosen;
     list.push_back(figures);
+    warn_of_black(transfer, below_black, stack.scales[s].name, console);
   }
   return {{"pairs", list}};
 }
@@ -125,6 +139,7 @@ std::vector<ScaleTransfer> transfers_of(const StackOptions& options, size_t coun
     transfer.ratio = ratio_of(options.ratio, i, count - 1);
     transfer.mode = options.transfer;
     transfer.detail_mean = options.detail_mean;
+    transfer.detail = options.detail;
     transfer.variation = options.variation;
     transfer.variation_fade = options.variation_fade;
     transfer.weights = numbers(part_of(options.weights, i, count - 1, "weights"), "weights");
@@ -147,6 +162,11 @@ Bundle run_stack(std::vector<NamedBundle> bundles, const StackOptions& options, 
   const std::vector<ScaleTransfer> transfers = transfers_of(options, bundles.size());
   const std::vector<std::string> names = scale_names(bundles.size());
   for (const NamedBundle& named : bundles) check_single(named, &named == &bundles.back());
+  if (bundles.back().bundle.noise)
+    console.warning(
+        fmt::format("{}: the stack shows its exemplar as it is, grain and all; the layer of noise is kept, and "
+                    "not made anew while scales are drawn together",
+                    bundles.back().path));
   Bundle stack;
   for (size_t s = 0; s < bundles.size(); ++s) {
     add_scale(stack, bundles[s], names[s]);
@@ -161,7 +181,7 @@ Bundle run_stack(std::vector<NamedBundle> bundles, const StackOptions& options, 
   RunningStage stage(stack, "stack", console);
   Json parameters = Json::object();
   add_parameters(parameters, options, options);
-  stage.finish(parameters, figures_of(stack));
+  stage.finish(parameters, figures_of(stack, console));
   return stack;
 }
 

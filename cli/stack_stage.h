@@ -14,6 +14,7 @@ struct StackOptions {
   std::string ratio = "16";
   TransferMode transfer = TransferMode::fragment;
   DetailMean detail_mean = DetailMean::tile;
+  DetailStrength detail = DetailStrength::absolute;
   VariationFrom variation = VariationFrom::both;
   float variation_fade = 2;
   std::string weights, coarse_weights, detail_gains;
@@ -29,6 +30,10 @@ struct StackOptions {
     visit(self.detail_mean, Field{.name = "detail-mean",
                                   .help = "what the coarse colour replaces: the mean of the fine tile, or that around "
                                           "the place, over one coarse texel"});
+    visit(self.detail,
+          Field{.name = "detail",
+                .help = "of the fine scale: as strong as it is, or in proportion to the mean colour of the "
+                        "coarsest: for scales of different brightness"});
     visit(self.variation, Field{.name = "variation", .help = "whose variation beside the dominant colours shows"});
     visit(self.variation_fade, Field{.name = "variation-fade",
                                      .min = 1,

@@ -43,6 +43,7 @@ Json transfer_json(const ScaleTransfer& transfer) {
   Json json = {{"ratio", transfer.ratio},
                {"mode", enum_name(transfer.mode)},
                {"detailMean", enum_name(transfer.detail_mean)},
+               {"detail", enum_name(transfer.detail)},
                {"variation", enum_name(transfer.variation)},
                {"variationFade", json_number(transfer.variation_fade)}};
   for_each_list(transfer, [&](const std::string& name, const std::vector<float>& list) {
@@ -56,6 +57,7 @@ ScaleTransfer transfer_of(const Json& json) {
   transfer.ratio = json["ratio"].get<int>();
   transfer.mode = *enum_value<TransferMode>(json["mode"].get<std::string>());
   transfer.detail_mean = *enum_value<DetailMean>(json["detailMean"].get<std::string>());
+  if (json.contains("detail")) transfer.detail = *enum_value<DetailStrength>(json["detail"].get<std::string>());
   transfer.variation = *enum_value<VariationFrom>(json["variation"].get<std::string>());
   transfer.variation_fade = json["variationFade"].get<float>();
   for_each_list(transfer, [&](const std::string& name, std::vector<float>& list) {

@@ -1,5 +1,7 @@
 #include "libbake/eval/scale_detail.h"
 
+#include <algorithm>
+
 #include "libbake/color/luv.h"
 
 namespace texbake {
@@ -11,22 +13,28 @@ size_t classes_of(const StackScale& scale) {
 std::vector<V3f> dominant_colors(const StackScale& scale) {
   std::vector<V3f> colors;
   if (scale.input.colors)
-    for (const ColorClass& c : scale.input.colors->palette.classes) colors.push_back(linear_from_luv(c.dominant));
+    for (const ColorClass& c : scale.input.colors->palette.classes)
+      colors.push_back(linear_from_luv(c.dominant) * scale.strength);
   return colors;
 }
 
+Image<V3f> strong_base(const StackScale& scale) {
+  Image<V3f> base(scale.input.base.width(), scale.input.base.height());
+  for (int y = 0; y < base.height(); ++y)
+    for (int x = 0; x < base.width(); ++x) base(x, y) = scale.input.base(x, y) * scale.strength;
+  return base;
+}
+
 Image<V3f> detail_of(const StackScale& scale) {
-  const ImageView<const V3f> base = scale.input.base;
-  Image<V3f> detail(base.width(), base.height());
+  Image<V3f> detail = strong_base(scale);
   const bool gains = scale.transfer && scale.input.colors && !scale.transfer->detail_gains.empty();
   const std::vector<V3f> dominants = gains ? dominant_colors(scale) : std::vector<V3f>();
-  for (int y = 0; y < base.height(); ++y)
-    for (int x = 0; x < base.width(); ++x) {
-      detail(x, y) = base(x, y);
-      if (!gains) continue;
+  if (!gains) return detail;
+  for (int y = 0; y < detail.height(); ++y)
+    for (int x = 0; x < detail.width(); ++x) {
       const size_t k = scale.input.colors->index(x, y);
       const float gain = scale.transfer->detail_gains[k];
-      if (gain != 1.0f) detail(x, y) = dominants[k] + (base(x, y) - dominants[k]) * gain;
+      if (gain != 1.0f) detail(x, y) = dominants[k] + (detail(x, y) - dominants[k]) * gain;
     }
   return detail;
 }
@@ -37,7 +45,8 @@ Image<V3f> dominant_of(const StackScale& scale) {
   Image<V3f> image(size.x, size.y);
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x)
-      image(x, y) = dominants.empty() ? scale.input.base(x, y) : dominants[scale.input.colors->index(x, y)];
+      image(x, y) =
+          dominants.empty() ? scale.input.base(x, y) * scale.strength : dominants[scale.input.colors->index(x, y)];
   return image;
 }
 
@@ -75,6 +84,31 @@ Image<glsl::FragmentTexel> fragment_plane(const StackScale& scale) {
       texel.fragment_class = static_cast<int16_t>(fragments->fragments[idx].class_idx);
     }
   return plane;
+}
+
+namespace {
+
+Imath::V3d mean_of(const ImageView<const V3f>& base) {
+  Imath::V3d mean(0);
+  for (int y = 0; y < base.height(); ++y) {
+    Imath::V3d row(0);
+    for (int x = 0; x < base.width(); ++x) row += Imath::V3d(base(x, y));
+    mean += row / (double{1} * base.width() * base.height());
+  }
+  return mean;
+}
+
+}  // namespace
+
+void set_strengths(std::vector<StackScale>& scales) {
+  constexpr double kMost = 16;  // as of gains
+  for (StackScale& scale : scales) {
+    scale.strength = V3f(1);
+    if (!scale.transfer || scale.transfer->detail == DetailStrength::absolute) continue;
+    const Imath::V3d coarse = mean_of(scales.front().input.base), own = mean_of(scale.input.base);
+    for (int c = 0; c < 3; ++c)
+      scale.strength[c] = static_cast<float>(coarse[c] < kMost * own[c] ? std::max(coarse[c], 0.0) / own[c] : kMost);
+  }
 }
 
 }  // namespace texbake

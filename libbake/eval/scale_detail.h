@@ -19,10 +19,13 @@ inline float entry(const std::vector<float>& list, size_t i) { return list.empty
 
 inline glsl::vec4 texel_of(const V3f& color) { return {color.x, color.y, color.z, 0}; }
 
-/// Dominant colours of the classes, linear Rec.709; empty where there are none.
+/// Dominant colours of the classes, linear Rec.709, times the scale's strength; empty where there are none.
 std::vector<V3f> dominant_colors(const StackScale& scale);
 
-/// The base with the gains of its classes.
+/// The base times the scale's strength.
+Image<V3f> strong_base(const StackScale& scale);
+
+/// That with the gains of its classes.
 Image<V3f> detail_of(const StackScale& scale);
 
 /// The dominant colour of each texel, which is what is left without variation; the base where there are no classes.

@@ -80,8 +80,10 @@ void count_from(Image<glsl::ivec4>& shares, int row) {
 
 int last_level(int ratio) { return static_cast<int>(std::bit_width(static_cast<uint32_t>(ratio - 1))); }
 
-void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
+void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   if (!stack.level_table.empty()) return;
+  std::vector<StackScale> scales = given;
+  set_strengths(scales);
   std::vector<LeveledScale> leveled_scales;
   for (size_t s = 0; s < scales.size(); ++s) leveled_scales.push_back(leveled(scales[s], has_dominants(scales, s)));
 

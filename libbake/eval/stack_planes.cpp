@@ -37,8 +37,9 @@ void check_list(const std::vector<float>& list, size_t classes, const char* what
 void add_classes(const StackScale& scale, const ScaleTransfer* finer, std::vector<glsl::vec4> (&rows)[2]) {
   const ScaleTransfer own = scale.transfer ? *scale.transfer : ScaleTransfer{};
   const std::vector<float> giving = finer ? finer->coarse_weights : std::vector<float>{};
+  const std::vector<V3f> dominants = dominant_colors(scale);
   for (size_t k = 0; k < classes_of(scale); ++k) {
-    const V3f color = scale.input.colors ? linear_from_luv(scale.input.colors->palette.classes[k].dominant) : V3f(0);
+    const V3f color = dominants.empty() ? V3f(0) : dominants[k];
     rows[0].emplace_back(color.x, color.y, color.z, entry(own.detail_gains, k));
     rows[1].emplace_back(entry(own.weights, k), entry(giving, k), 0.0f, 0.0f);
   }
@@ -81,6 +82,8 @@ class StackBuilder {
     input.maps.clear();  // a stack passes colours alone
     check_soft_border_fits(input.soft_border_px, size_of(scale));
     input.soft_border_px = 0;  // their levels come later
+    const Image<V3f> base = strong_base(scale);
+    input.base = base;
     planes_.push_back(prepare(input));
     const EvaluatorPlanes& own = planes_.back();
     const ScaleTransfer transfer = scale.transfer ? *scale.transfer : ScaleTransfer{};
@@ -185,10 +188,12 @@ int64_t StackPlanes::texels_in(int scale) const {
   return texels;
 }
 
-StackPlanes prepare_stack(const std::vector<StackScale>& scales) {
+StackPlanes prepare_stack(const std::vector<StackScale>& given) {
+  std::vector<StackScale> scales = given;
   if (scales.empty() || scales.size() > kMaxScales)
     throw Error(ErrorKind::bad_data, fmt::format("expected 1 to {} scales, found {}", kMaxScales, scales.size()));
   for (size_t s = 1; s < scales.size(); ++s) check_transfer(scales[s - 1], scales[s]);
+  set_strengths(scales);
   StackBuilder builder;
   for (size_t s = 0; s < scales.size(); ++s)
     builder.add(scales[s], s + 1 < scales.size() ? scales[s + 1].transfer : nullptr);

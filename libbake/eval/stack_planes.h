@@ -15,7 +15,11 @@ namespace texbake {
 struct StackScale {
   EvaluatorInput input;
   const ScaleTransfer* transfer = nullptr;  ///< nullptr for the coarsest alone
+  V3f strength{1};                          ///< what its colours are multiplied with: set_strengths
 };
+
+/// Sets the strength of every scale, as its transfer asks for; a part of prepare_stack and of add_levels.
+void set_strengths(std::vector<StackScale>& scales);
 
 /// Everything that a stack binds: shaders/README.md, "Several scales".
 struct StackPlanes {

@@ -31,6 +31,17 @@ struct EnumNames<DetailMean> {
                                                                        {DetailMean::local, "local"}};
 };
 
+/// How strong the detail is that a scale adds to the coarser colour.
+enum class DetailStrength {
+  absolute,  ///< as in its tile: eq. 5. Where the coarse scale is much darker, the darkest detail falls below black
+  relative,  ///< in proportion: its tile times the mean of the coarsest over its own, channel by channel
+};
+template <>
+struct EnumNames<DetailStrength> {
+  static constexpr std::pair<DetailStrength, std::string_view> values[] = {{DetailStrength::absolute, "absolute"},
+                                                                           {DetailStrength::relative, "relative"}};
+};
+
 /// Whose variation, what a colour has beside the dominant colour of its class, is seen from near.
 enum class VariationFrom {
   both,
@@ -51,6 +62,7 @@ struct ScaleTransfer {
   int ratio = 16;  ///< texels of this scale along one texel of the coarser one, 2 … kMaxRatio
   TransferMode mode = TransferMode::fragment;
   DetailMean detail_mean = DetailMean::tile;
+  DetailStrength detail = DetailStrength::absolute;
   VariationFrom variation = VariationFrom::both;
   float variation_fade = 2;         ///< ≥ 1: how much sooner than the dominant colour the variation fades
   std::vector<float> weights = {};  ///< for each class of this scale: the share of the coarse colour it takes; empty: 1

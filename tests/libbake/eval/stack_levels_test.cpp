@@ -96,8 +96,11 @@ StackPlanes softened(const SmallStack& stack) {
 }
 
 TEST(StackLevels, ABlockWithSoftBordersIsTheMeanOfItsTexels) {
-  const StackPlanes planes = softened(
-      two_scales({.ratio = 16, .detail_mean = DetailMean::local, .weights = {0.3f, 1}, .detail_gains = {1.7f, 0.4f}}));
+  const StackPlanes planes = softened(two_scales({.ratio = 16,
+                                                  .detail_mean = DetailMean::local,
+                                                  .detail = DetailStrength::relative,
+                                                  .weights = {0.3f, 1},
+                                                  .detail_gains = {1.7f, 0.4f}}));
   for (int level = 1; level <= 4; ++level)
     for (const float variation : {1.0f, 0.4f, 0.0f})
       EXPECT_LT(difference_at(planes, 1, level, variation).worst, kRounded) << level << " " << variation;

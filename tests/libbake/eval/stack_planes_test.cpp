@@ -155,6 +155,35 @@ TEST(StackPlanes, TheLocalMeanKeepsTheCoarseColourBetterThanTheTiles) {
   EXPECT_LT(rms(DetailMean::local), 0.5 * rms(DetailMean::tile));
 }
 
+TEST(StackPlanes, RelativeDetailIsInProportionToTheCoarsestScale) {
+  SmallStack absolute, relative;
+  for (SmallStack* stack : {&absolute, &relative}) {
+    stack->add(random_scale({32, 32}, 3, Contents::moved, 1));
+    for (V3f& color : stack->tiles.front().tile.base) color = V3f(0.25f, 0.5f, 0.125f);
+    stack->add(random_scale({16, 16}, 3, Contents::moved, 2),
+               {.ratio = 4, .detail = stack == &relative ? DetailStrength::relative : DetailStrength::absolute});
+  }
+  const StackPlanes planes = relative.planes();
+  Program program = program_of(planes, 7, {0, 0});
+  const SmallTile& fine = relative.tiles.back().tile;
+  Imath::V3d mean(0);
+  for (const V3f& color : fine.base) mean += Imath::V3d(color) / 256.0;
+  // A flat coarse colour, times the fine one in proportion to its mean.
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      const Texel at = texel_of(x, y, {16, 16});
+      program.use_scale(1);
+      const glsl::ivec2 source = program.texel_source(at).nearest;
+      const V3f& own = fine.base(source.x, source.y);
+      const vec4 found = program.scale_texel(1, at, 1);
+      EXPECT_NEAR(found.x, 0.25 * double{own.x} / mean.x, 1e-6);
+      EXPECT_NEAR(found.y, 0.5 * double{own.y} / mean.y, 1e-6);
+      EXPECT_NEAR(found.z, 0.125 * double{own.z} / mean.z, 1e-6);
+    }
+  EXPECT_GT(transfer_error(absolute.planes(), 1, 8).below_black, 0.3);
+  EXPECT_EQ(transfer_error(planes, 1, 8).below_black, 0);
+}
+
 TEST(StackPlanes, LocalMeansAreThoseOfTheBox) {
   const Image<V3f> tile = random_base({12, 7}, 3);
   for (const int side : {1, 2, 5, 30}) {
