@@ -82,6 +82,8 @@ void add_noise_fields(const NoiseModel& model, FieldList& fields) {
                "linear Rec.709 light", "values of the noise, row after row");
     for (const NoiseChannel& channel : noise.channels) lobes += channel.lobes.lobes.size();
   }
+  fields.add("noise lattice", fmt::format("(x + {} y) mod {}", model.lattice.row_step, model.lattice.count),
+             "number of a value", "which value of the noises a texel shows");
   fields.add("colour bases", fmt::format("{}x(3+3x3) float", model.noises.size()), "linear Rec.709 light",
              "mean and axes of the noises' colours");
   fields.add("histograms", fmt::format("{}x{} float", 3 * model.noises.size(), Equalisation::kEntries), "light",
