@@ -36,7 +36,7 @@ struct GoldenStack {
   std::vector<GoldenStackPoint> points;
 };
 
-inline const char* const kGoldenStackNames[] = {"stack", "stack_turned", "stack_three", "stack_relief"};
+inline const char* const kGoldenStackNames[] = {"stack", "stack_turned", "stack_three", "stack_soft", "stack_relief"};
 
 inline ScaleTile golden_scale(const nlohmann::json& json) {
   const V2i size(json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>());
@@ -57,6 +57,7 @@ inline ScaleTile golden_scale(const nlohmann::json& json) {
     fragments.centers.emplace_back(c.at(0).get<int>(), c.at(1).get<int>());
   for (const auto& k : json.at("fragment_class")) scale.fragments.fragments.push_back({k.get<uint32_t>(), V3f(0)});
   for (const auto& luv : json.at("palette")) scale.colors.palette.classes.push_back({golden_color(luv), V3f(1, 0, 0)});
+  scale.tile.soft_border_px = json.value("soft_border", 0);
   scale.tile.patches = golden_patches(json, size);
   scale.tile.contents = golden_contents(json, scale.tile.patches.partition.count());
   return scale;

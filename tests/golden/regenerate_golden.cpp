@@ -128,6 +128,11 @@ Json scale_json(const ScaleTile& scale, const ScaleTransfer* transfer) {
     json["palette"].push_back(color_json(c.dominant));
     json["dominants"].push_back(color_json(linear_from_luv(c.dominant)));
   }
+  if (scale.tile.soft_border_px > 0) {
+    json["soft_border"] = scale.tile.soft_border_px;
+    for (const V3f& c : StackPainter::smooth(scale.tile.base, scale.tile.soft_border_px))
+      json["soft_mean"].push_back(color_json(c));
+  }
   if (!transfer) return json;
   json["transfer"] = {{"ratio", transfer->ratio},
                       {"detail_mean", std::string(enum_name(transfer->detail_mean))},
@@ -153,7 +158,8 @@ Json stack_point_json(const SmallStack& stack, const Point& point, Random& rando
   const int finest = painter.finest();
   const float fading = static_cast<float>(random.below(4) + 1) / 4.0f;
   const float variation = static_cast<float>(random.below(5)) / 4.0f;
-  const int levels = std::bit_width(static_cast<uint32_t>(stack.transfers.back().ratio - 1));
+  const bool is_soft = stack.tiles.back().tile.soft_border_px > 0;  // whose levels are not painted
+  const int levels = is_soft ? 0 : std::bit_width(static_cast<uint32_t>(stack.transfers.back().ratio - 1));
   const auto level_256 = static_cast<int>(random.below(static_cast<uint32_t>(256 * levels) + 1));
   Json json = point_json(stack.tiles.back().tile, point);
   json["nearest"] = color_json(painter.texel(finest, point.x_256 >> 8, point.y_256 >> 8, 1));
@@ -276,10 +282,15 @@ bool write_stacks(const std::string& folder) {
   relief.add(random_scale({32, 16}, 3, Contents::moved, 113));
   relief.add(random_scale({16, 16}, 3, Contents::turned, 114), {.ratio = 5});
   const SmallRelief heights = random_relief({32, 16}, 115);
+  SmallStack soft;
+  soft.add(random_scale({16, 16}, 3, Contents::moved, 116));
+  soft.add(random_scale({32, 32}, 4, Contents::turned, 117), {.ratio = 4, .weights = {0.5f, 1}});
+  for (ScaleTile& scale : soft.tiles) scale.tile.soft_border_px = 2;
   const auto done = [&](const char* name, const std::string& text) { return write(folder + "/" + name, text); };
   bool all = done("stack.json", stack_text_of(two));
   all = done("stack_turned.json", stack_text_of(turned)) && all;
   all = done("stack_three.json", stack_text_of(three)) && all;
+  all = done("stack_soft.json", stack_text_of(soft)) && all;
   return done("stack_relief.json", stack_text_of(relief, &heights)) && all;
 }
 

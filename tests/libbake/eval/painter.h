@@ -88,7 +88,7 @@ class Painter {
         const V2i at = wrap(V2i(c.x + dx, c.y + dy), n);
         if (tile_.patches.partition.idx(at.x, at.y) != static_cast<uint32_t>(patch)) continue;
         const int i = static_cast<int>(x - painting.x0), j = static_cast<int>(y - painting.y0);
-        painting.color(i, j) = content_color(content, c, dx, dy);
+        painting.color(i, j) = content_color(tile_.base, content, c, dx, dy);
         painting.structure(i, j) = painting.color(i, j);
         painting.weights(i, j) = weights_of(content, c, V2i(dx, dy));
         add_noise(painting.color(i, j), painting.weights(i, j), x, y);
@@ -97,13 +97,6 @@ class Painter {
         painting.source(i, j) = nearest_source(content, c, dx, dy);
         ++painting.times(i, j);
       }
-  }
-
-  V2i nearest_source(const Content& content, V2i c, int dx, int dy) const {
-    const double x = (double{1} * content.a * dx - double{1} * content.b * dy) / 65536;
-    const double y = (double{1} * content.b * dx + double{1} * content.a * dy) / 65536;
-    const V2i nearest(static_cast<int>(std::floor(x + 0.5)), static_cast<int>(std::floor(y + 0.5)));
-    return wrap(c + content.translation + nearest, tile_.size());
   }
 
   /// What the content shows of the masks: blended like colours, rounded down to 1/2048, and the first takes the rest.
@@ -144,20 +137,28 @@ class Painter {
     return (at(0, 0) * (1 - wx) + at(1, 0) * wx) * (1 - wy) + (at(0, 1) * (1 - wx) + at(1, 1) * wx) * wy;
   }
 
-  /// The base at c + t + M d, blended between texel centres, the place rounded to 1/256 texel.
-  V3f content_color(const Content& content, V2i c, int dx, int dy) const {
+ public:
+  V2i nearest_source(const Content& content, V2i c, int dx, int dy) const {
+    const double x = (double{1} * content.a * dx - double{1} * content.b * dy) / 65536;
+    const double y = (double{1} * content.b * dx + double{1} * content.a * dy) / 65536;
+    const V2i nearest(static_cast<int>(std::floor(x + 0.5)), static_cast<int>(std::floor(y + 0.5)));
+    return wrap(c + content.translation + nearest, tile_.size());
+  }
+
+  /// A plane of the tile, such as its base, at c + t + M d, blended between texel centres, the place rounded to 1/256
+  /// texel.
+  V3f content_color(const Image<V3f>& plane, const Content& content, V2i c, int dx, int dy) const {
     const double x = (double{1} * content.a * dx - double{1} * content.b * dy) / 65536;
     const double y = (double{1} * content.b * dx + double{1} * content.a * dy) / 65536;
     const double x256 = std::floor(x * 256 + 0.5), y256 = std::floor(y * 256 + 0.5);
     const int left = static_cast<int>(std::floor(x256 / 256)), top = static_cast<int>(std::floor(y256 / 256));
     const auto at = [&](int i, int j) {
       const V2i p = wrap(c + content.translation + V2i(left + i, top + j), tile_.size());
-      return tile_.base(p.x, p.y);
+      return plane(p.x, p.y);
     };
     return blend(at(0, 0), at(1, 0), at(0, 1), at(1, 1), x256 / 256 - left, y256 / 256 - top);
   }
 
- public:
   /// Bilinear interpolation in the order of shaders/README.md, each operation rounded to float.
   static V3f blend(const V3f& ul, const V3f& ur, const V3f& ll, const V3f& lr, double wx, double wy) {
     const auto channel = [&](int c) {

@@ -8,6 +8,7 @@
 
 #include "level_painter.h"
 #include "libbake/color/luv.h"
+#include "libbake/eval/local_mean.h"
 #include "small_stack.h"
 
 namespace texbake {
@@ -30,7 +31,21 @@ class StackPainter {
   /// What a texel of a scale shows: its own colour, less the mean of its scale, and the coarse colour where the centre
   /// of its fragment lies, as far as the one takes and the other gives it. `variation` is the share that is left of its
   /// own.
-  V3f texel(int scale, int64_t x, int64_t y, float variation) const { return stacked(scale, x, y, variation).color; }
+  V3f texel(int scale, int64_t x, int64_t y, float variation) const {
+    const ScaleData& data = scales_[static_cast<size_t>(scale)];
+    const std::vector<Entry> entries = entries_at(data, x, y);
+    if (entries.size() == 1 || scale == 0) return stacked(scale, x, y, variation).color;
+    // On a soft border every patch takes the colours of its own fragment, by its weight.
+    V3f taken(0);
+    for (const Entry& entry : entries) {
+      const Piece piece = piece_of(data, x, y, entry);
+      const Passed coarse = stacked(scale - 1, Painter::floor_div(piece.center.x, data.transfer.ratio),
+                                    Painter::floor_div(piece.center.y, data.transfer.ratio), 1);
+      const float share = static_cast<float>(double{entry.weight} * double{piece.taking});
+      taken += (coarse.color - mean_of(data, piece.middle, variation)) * (coarse.giving * share);
+    }
+    return shared(data, x, y, entries, variation) + taken;
+  }
 
   V3f bilinear(int scale, int64_t x_256, int64_t y_256, float variation) const {
     return between(x_256, y_256, 256, [&](int64_t x, int64_t y) { return texel(scale, x, y, variation); });
@@ -44,7 +59,7 @@ class StackPainter {
     return fading == 1 ? far : near + (far - near) * fading;
   }
 
-  /// The finest scale between two of its levels of detail.
+  /// The finest scale between two of its levels of detail; above level 0 where borders are hard.
   V3f trilinear(int64_t x_256, int64_t y_256, int level_256, float variation) const {
     const auto at_level = [&](int level) {
       return between(x_256, y_256, int64_t{256} << level,
@@ -77,6 +92,18 @@ class StackPainter {
     return kept + taken;
   }
 
+  /// The mean that the evaluator prepares: how it is blurred is no part of what is painted.
+  static Image<V3f> smooth(const Image<V3f>& base, int border_px) {
+    Image<glsl::vec4> texels(base.width(), base.height(), {0, 0, 0, 0});
+    for (size_t i = 0; i < base.size(); ++i)
+      texels.data()[i] = {base.data()[i].x, base.data()[i].y, base.data()[i].z, 0};
+    Image<V3f> mean(base.width(), base.height());
+    const Image<glsl::vec4> blurred = local_mean(texels, border_px);
+    for (size_t i = 0; i < mean.size(); ++i)
+      mean.data()[i] = {blurred.data()[i].x, blurred.data()[i].y, blurred.data()[i].z};
+    return mean;
+  }
+
  private:
   struct ScaleData {
     const ScaleTile& tile;
@@ -86,6 +113,7 @@ class StackPainter {
     Painter painter;
     LevelPainter whole, dominant;
     V3f mean_of_dominants{0}, mean_of_all{0};
+    Image<V3f> smooth_whole{}, smooth_dominant{};  ///< without detail, where borders are soft
     std::vector<float> giving = {};
 
     ScaleData(const ScaleTile& t, const ScaleTransfer& how, uint32_t seed)
@@ -98,7 +126,11 @@ class StackPainter {
           whole(gained_tile, seed),
           dominant(dominant_tile, seed),
           mean_of_dominants(mean(dominant_tile.base)),
-          mean_of_all(mean(gained_tile.base)) {}
+          mean_of_all(mean(gained_tile.base)) {
+      if (t.tile.soft_border_px == 0) return;
+      smooth_whole = smooth(gained_tile.base, t.tile.soft_border_px);
+      smooth_dominant = smooth(dominant_tile.base, t.tile.soft_border_px);
+    }
     ScaleData(const ScaleData&) = delete;
   };
 
@@ -106,6 +138,13 @@ class StackPainter {
   struct Passed {
     V3f color{0};
     float giving = 1;
+  };
+
+  /// A patch whose centre lies in a repetition, and how much it counts at a texel.
+  struct Entry {
+    int patch;
+    int64_t kx, ky;
+    float weight;
   };
 
   /// The part of a block that one fragment has: its centre in the infinite texture and in the tile, and its texels.
@@ -165,27 +204,89 @@ class StackPainter {
     return V3f(sum / (double{1} * ratio * ratio)) + (all - scale.mean_of_all);
   }
 
-  /// Where the fragment has its centre that shows at a texel: a turned content turns it back, by integers.
-  Piece piece_at(const ScaleData& scale, int64_t x, int64_t y, const Painting& own) const {
-    const V2i source = own.source(0, 0), n = scale.tile.tile.size();
+  /// The patches of a texel, its own first, then as the texels around bring them.
+  static std::vector<Entry> entries_at(const ScaleData& scale, int64_t x, int64_t y) {
+    const int border = std::max(scale.tile.tile.soft_border_px, 1);
+    std::vector<Entry> entries = {owner_of(scale, x, y)};
+    for (int dy = 1 - border; dy < border; ++dy)
+      for (int dx = 1 - border; dx < border; ++dx) {
+        const Entry near = owner_of(scale, x + dx, y + dy);
+        const auto same = [&](const Entry& other) {
+          return other.patch == near.patch && other.kx == near.kx && other.ky == near.ky;
+        };
+        const auto known = std::find_if(entries.begin(), entries.end(), same);
+        Entry& entry = known == entries.end() ? entries.emplace_back(near) : *known;
+        entry.weight += static_cast<float>((border - std::abs(dx)) * (border - std::abs(dy)));
+      }
+    for (Entry& entry : entries)
+      entry.weight /= static_cast<float>(border * border) * static_cast<float>(border * border);
+    return entries;
+  }
+
+  /// The patch of a texel, and the repetition of its centre.
+  static Entry owner_of(const ScaleData& scale, int64_t x, int64_t y) {
+    const Partition& patches = scale.tile.tile.patches.partition;
+    const V2i n = scale.tile.tile.size();
+    const int64_t kx = Painter::floor_div(x, n.x), ky = Painter::floor_div(y, n.y);
+    const V2i p(static_cast<int>(x - kx * n.x), static_cast<int>(y - ky * n.y));
+    const OwnerOffset owner = patches.owner(p.x, p.y);
+    return {static_cast<int>(patches.idx(p.x, p.y)), kx + owner.x, ky + owner.y, 0};
+  }
+
+  /// Sums of what patches show, by their weights, detail so much enlarged that it keeps its variance.
+  static V3f shared(const ScaleData& scale, int64_t x, int64_t y, const std::vector<Entry>& entries, float variation) {
+    float squares = 0;
+    for (const Entry& entry : entries) squares += entry.weight * entry.weight;
+    const auto contents = static_cast<float>(scale.tile.tile.contents.content_count);
+    const float gain = 1 / std::sqrt(squares + (1 - squares) / (contents * contents));
+    const auto sum_of = [&](const Image<V3f>& plane, const Image<V3f>& smooth) {
+      V3f sum(0);
+      for (const Entry& entry : entries) {
+        const V3f mean = shown(scale, smooth, x, y, entry), all = shown(scale, plane, x, y, entry);
+        sum += (mean + (all - mean) * gain) * entry.weight;
+      }
+      return sum;
+    };
+    const V3f whole = sum_of(scale.gained_tile.base, scale.smooth_whole);
+    if (variation == 1) return whole;
+    const V3f dominant = sum_of(scale.dominant_tile.base, scale.smooth_dominant);
+    return variation == 0 ? dominant : dominant + (whole - dominant) * variation;
+  }
+
+  static V2i way_from(const ScaleData& scale, int64_t x, int64_t y, const Entry& entry) {
+    const V2i n = scale.tile.tile.size();
+    const V2i c = scale.tile.tile.patches.partition.centers[static_cast<size_t>(entry.patch)];
+    return {static_cast<int>(x - entry.kx * n.x - c.x), static_cast<int>(y - entry.ky * n.y - c.y)};
+  }
+  static const Content& content_of(const ScaleData& scale, const Entry& entry) {
+    return scale.tile.tile.contents.at(entry.patch, scale.painter.content_of(entry.patch, entry.kx, entry.ky));
+  }
+  static V3f shown(const ScaleData& scale, const Image<V3f>& plane, int64_t x, int64_t y, const Entry& entry) {
+    const V2i d = way_from(scale, x, y, entry);
+    const V2i c = scale.tile.tile.patches.partition.centers[static_cast<size_t>(entry.patch)];
+    return scale.painter.content_color(plane, content_of(scale, entry), c, d.x, d.y);
+  }
+
+  /// Where the fragment has its centre that a patch shows at a texel: a turned content turns it back, by integers.
+  static Piece piece_of(const ScaleData& scale, int64_t x, int64_t y, const Entry& entry) {
+    const V2i n = scale.tile.tile.size(), d = way_from(scale, x, y, entry);
+    const V2i c = scale.tile.tile.patches.partition.centers[static_cast<size_t>(entry.patch)];
+    const Content& content = content_of(scale, entry);
+    const V2i source = scale.painter.nearest_source(content, c, d.x, d.y);
     const Partition& fragments = scale.tile.fragments.partition;
     const uint32_t fragment = fragments.idx(source.x, source.y);
     const OwnerOffset owner = fragments.owner(source.x, source.y);
     const V2i way = fragments.centers[fragment] + V2i(owner.x * n.x, owner.y * n.y) - source;
     const uint32_t class_idx = scale.tile.fragments.fragments[fragment].class_idx;
-    Piece piece{{x + way.x, y + way.y}, wrap(source + way, n), entry(scale.transfer.weights, class_idx), 1};
-    const Content& content = scale.tile.tile.contents.at(own.patch(0, 0), own.content(0, 0));
+    Piece piece{
+        {x + way.x, y + way.y}, wrap(source + way, n), StackPainter::entry(scale.transfer.weights, class_idx), 1};
     if (content.a == 65536 && content.b == 0) return piece;
 
-    const Partition& patches = scale.tile.tile.patches.partition;
-    const int64_t kx = Painter::floor_div(x, n.x), ky = Painter::floor_div(y, n.y);
-    const OwnerOffset home = patches.owner(static_cast<int>(x - kx * n.x), static_cast<int>(y - ky * n.y));
-    const V2i c = patches.centers[static_cast<size_t>(own.patch(0, 0))];
-    const int64_t cx = (kx + home.x) * n.x + c.x, cy = (ky + home.y) * n.y + c.y;
+    const int64_t cx = entry.kx * n.x + c.x, cy = entry.ky * n.y + c.y;
     const int64_t a = content.a, b = content.b;
     const auto lambda = static_cast<int64_t>(content.scale * 65536);
-    const int64_t ux = Painter::floor_div(a * (x - cx) - b * (y - cy) + 32768, 65536) + way.x;
-    const int64_t uy = Painter::floor_div(b * (x - cx) + a * (y - cy) + 32768, 65536) + way.y;
+    const int64_t ux = Painter::floor_div(a * d.x - b * d.y + 32768, 65536) + way.x;
+    const int64_t uy = Painter::floor_div(b * d.x + a * d.y + 32768, 65536) + way.y;
     const int64_t square = Painter::floor_div((lambda / 2) * (lambda / 2), 32768);
     const int64_t back_a = Painter::floor_div(Painter::floor_div(a, 4) * square, 32768);
     const int64_t back_b = Painter::floor_div(Painter::floor_div(b, 4) * square, 32768);
@@ -203,7 +304,10 @@ class StackPainter {
       const Painting own = scale.painter.paint(x, y, 1, 1);
       const V2i source = own.source(0, 0);
       const uint8_t k = scale.tile.colors.index(source.x, source.y);
-      const V3f color = varied(scale.dominants[k], own.color(0, 0), share * entry(scale.transfer.detail_gains, k));
+      const std::vector<Entry> entries = entries_at(scale, x, y);
+      const V3f color = entries.size() > 1 ? shared(scale, x, y, entries, share)
+                                           : varied(scale.dominants[k], own.color(0, 0),
+                                                    share * entry(scale.transfer.detail_gains, k));
       const float giving = entry(scale.giving, k);
       if (s == finest) {
         passed = {color, giving};
@@ -212,7 +316,7 @@ class StackPainter {
         passed.color += (color - mean) * weight;
       }
       if (s == 0) break;
-      const Piece piece = piece_at(scale, x, y, own);
+      const Piece piece = piece_of(scale, x, y, entries[0]);
       weight *= piece.taking;
       mean = mean_of(scale, piece.middle, share);
       share = 1;
@@ -227,7 +331,7 @@ class StackPainter {
     std::vector<Piece> found;
     for (const V2i& p : texels) {
       const int64_t x = left + p.x, y = top + p.y;
-      const Piece piece = piece_at(scales_.back(), x, y, scales_.back().painter.paint(x, y, 1, 1));
+      const Piece piece = piece_of(scales_.back(), x, y, owner_of(scales_.back(), x, y));
       const auto same = [&](const Piece& other) {
         return other.center == piece.center && other.middle == piece.middle;
       };
