@@ -105,11 +105,12 @@ void add_levels(EvaluatorPlanes& planes, const Plane& plane) {
     if (&map == &plane) add_values(lists, map, planes);
 }
 
-void add_levels(EvaluatorPlanes& planes) {
-  const LevelLists lists = level_lists(planes);
+LevelLists add_levels(EvaluatorPlanes& planes) {
+  LevelLists lists = level_lists(planes);
   store_lists(lists, planes);
   add_values(lists, planes.base, planes);
   for (Plane& map : planes.maps) add_values(lists, map, planes);
+  return lists;
 }
 
 }  // namespace texbake

@@ -4,6 +4,7 @@
 // et al. 2019, Anisotropic Filtering for On-the-fly Patch-based Texturing. Layout: shaders/README.md §12.
 #pragma once
 
+#include "libbake/eval/level_lists.h"
 #include "libbake/eval/prepare.h"
 
 namespace texbake {
@@ -15,7 +16,7 @@ namespace texbake {
 /// block (level_weights.h, noise_levels.h). Throws Error(infeasible) when there are 2^32 values or more.
 void add_levels(EvaluatorPlanes& planes, const Plane& plane);
 
-/// The same of the base and all maps.
-void add_levels(EvaluatorPlanes& planes);
+/// The same of the base and all maps. Gives the lists, for what else is stored along them.
+LevelLists add_levels(EvaluatorPlanes& planes);
 
 }  // namespace texbake

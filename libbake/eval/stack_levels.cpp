@@ -61,12 +61,12 @@ LeveledScale leveled(const StackScale& scale, bool with_dominants) {
         {"dominant", MapKind::plain, 3, Image<glsl::vec4>(planes.size.x, planes.size.y, {0, 0, 0, 0})});
     set_texels(planes.maps.back(), dominant_of(scale), taking);
   }
-  add_levels(planes);
+  const LevelLists lists = add_levels(planes);
   leveled.level_count = planes.level_count;
   if (!scale.transfer) return leveled;
   leveled.level_count = std::min(planes.level_count, last_level(scale.transfer->ratio));
   if (scale.transfer->mode == TransferMode::fragment)
-    leveled.shares = fragment_shares(scale, planes, level_lists(planes), leveled.level_count);
+    leveled.shares = fragment_shares(scale, planes, lists, leveled.level_count);
   return leveled;
 }
 
