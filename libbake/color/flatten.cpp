@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "libbake/base/gaussian.h"
+#include "libbake/base/mean.h"
 #include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/color/luv.h"
@@ -13,14 +14,6 @@ namespace {
 
 constexpr float kLargestGain = 2;
 constexpr double kLeastVariance = 0.01;  // ΔE²: where there is nothing, nothing is amplified
-
-V3f mean_of(ImageView<const V3f> image) {
-  double sum[3] = {};
-  for (const V3f& c : image)
-    for (int i = 0; i < 3; ++i) sum[i] += static_cast<double>(c[i]);
-  const auto n = static_cast<double>(image.size());
-  return {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n)};
-}
 
 double mean_of(ImageView<const float> image) {
   double sum = 0.0;

@@ -30,12 +30,6 @@ std::vector<std::vector<Content>> numbered(const ContentCandidates& candidates) 
   return contents;
 }
 
-CellGrid use_grid(V2i size) {
-  const int side = std::min(size.x, size.y);
-  const auto cells_along = [&](int n) { return std::min(n, (n * kUseCells + side / 2) / side); };
-  return {size, {cells_along(size.x), cells_along(size.y)}};
-}
-
 // Everything that the balanced choice knows of one patch.
 struct PatchState {
   std::vector<V2i> middles_px;               // of the cells whose middle texel belongs to the patch
@@ -55,8 +49,7 @@ class BalancedChoice {
   BalancedChoice(const ContentCandidates& candidates, ImageView<const V3f> luv, const Partition& patches,
                  const ChoiceWeights& weights)
       : view_(luv, patches),
-        farther_(luv, patches, FarView::kFarther),
-        grid_(use_grid(patches.size())),
+        grid_(CellGrid::of(patches.size(), kUseCells)),
         weights_(weights),
         use_(static_cast<size_t>(grid_.cells.x * grid_.cells.y), 0),
         patches_(candidates.size()),
@@ -126,7 +119,7 @@ class BalancedChoice {
     }
     patch.shown.push_back(view_.shown(idx, content));
     patch.energies.push_back(view_.energy(patch.shown.back()));
-    patch.farther_energies.push_back(farther_.energy(patch.shown.back()));
+    patch.farther_energies.push_back(view_.energy(patch.shown.back(), FarBlur::farther));
   }
 
   static void find_impacts(const std::vector<Content>& candidates, PatchState& patch) {
@@ -200,7 +193,7 @@ class BalancedChoice {
     return cost + weights_.balance * patch_count * repeating / (view_.tile_energy() + unseen_) +
            weights_.energy * unlike((patch.energy_sum + patch.energies[n]) / count, view_.tile_energy()) +
            weights_.farther_energy *
-               unlike((patch.farther_sum + patch.farther_energies[n]) / count, farther_.tile_energy());
+               unlike((patch.farther_sum + patch.farther_energies[n]) / count, view_.tile_energy(FarBlur::farther));
   }
 
   Addition best_addition(size_t p) const {
@@ -237,7 +230,7 @@ class BalancedChoice {
     return improved;
   }
 
-  FarView view_, farther_;
+  FarView view_;
   CellGrid grid_;
   ChoiceWeights weights_;
   std::vector<int> use_;  // of each cell

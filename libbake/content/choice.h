@@ -40,11 +40,11 @@ ChosenCandidates choose_least_impact(const ContentCandidates& candidates, int wa
 ///   + energy · Σ_P |log(mean_c |B f_c|² / (share_P · E))|  +  farther_energy · the same with another B
 ///   + impact · Σ_P Σ_c I_c / mean I  +  steps · Σ_P mean visibility of P's borders
 ///   + use · P · variance of use / mean use²
-/// where c runs over the identity and the chosen contents of P, f_c is what P shows with c, B the low-pass kFar of
-/// far_view.h (kFarther in the third term), E the tile's energy through it, and share_P that of the tile's area; to all
-/// energies those of 0.2 ΔE are added, which are not seen. The first term is the square of the grid's amplitude; the
-/// next two keep large shapes from being washed out. Starts greedily and then exchanges one content at a time, patches
-/// in an order drawn from `seed`, until nothing improves. `base_luv` is the base in CIELUV.
+/// where c runs over the identity and the chosen contents of P, f_c is what P shows with c, B the low-pass `far` of
+/// far_view.h (`farther` in the third term), E the tile's energy through it, and share_P that of the tile's area; to
+/// all energies those of 0.2 ΔE are added, which are not seen. The first term is the square of the grid's amplitude;
+/// the next two keep large shapes from being washed out. Starts greedily and then exchanges one content at a time,
+/// patches in an order drawn from `seed`, until nothing improves. `base_luv` is the base in CIELUV.
 ChosenCandidates choose_balanced(const ContentCandidates& candidates, int wanted, ImageView<const V3f> base_luv,
                                  const Partition& patches, uint32_t seed, const ChoiceWeights& weights = {});
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "libbake/base/mean.h"
 #include "libbake/base/parallel.h"
 #include "libbake/content/far_view.h"
 #include "libbake/content/shown_source.h"
@@ -32,13 +33,6 @@ void add_place(std::span<const Content> contents, const ColorOf& color_of, GSums
   const auto n = static_cast<double>(contents.size());
   sums.shared += static_cast<double>(sum.length2()) / (n * n);
   sums.all += energy / n;
-}
-
-V3f mean_of(ImageView<const V3f> luv) {
-  double mean[3] = {};
-  for (const V3f& c : luv)
-    for (int i = 0; i < 3; ++i) mean[i] += static_cast<double>(c[i]) / static_cast<double>(luv.size());
-  return {static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2])};
 }
 
 double repetition_near(const ContentTable& table, ImageView<const V3f> luv, const Partition& patches) {

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "libbake/base/gaussian.h"
+#include "libbake/base/mean.h"
 #include "libbake/base/parallel.h"
 #include "libbake/content/shown_source.h"
 
@@ -12,12 +13,7 @@ namespace {
 
 constexpr int kCells = 32;         // along the shorter side: two for the narrowest σ, which is all that B leaves
 constexpr int kPiecesPerCell = 8;  // along each axis
-
-CellGrid grid_of(V2i size, int along_shorter) {
-  const int side = std::min(size.x, size.y);
-  const auto cells_along = [&](int n) { return std::min(n, (n * along_shorter + side / 2) / side); };
-  return {size, {cells_along(size.x), cells_along(size.y)}};
-}
+constexpr double kSigmas[] = {1.0 / 16, 1.0 / 8};  // by FarBlur, in shorter sides
 
 int area_px(const CellGrid& grid, V2i cell) {
   const V2i extent = grid.first_px(cell + V2i(1, 1)) - grid.first_px(cell);
@@ -30,15 +26,7 @@ V3f cell_mean(ImageView<const V3f> luv, V2i cell, const CellGrid& grid) {
   V3f sum(0);
   for (int y = begin.y; y < end.y; ++y)
     for (int x = begin.x; x < end.x; ++x) sum += luv(x, y);
-  return sum / static_cast<float>((end.x - begin.x) * (end.y - begin.y));
-}
-
-V3f mean_of(ImageView<const V3f> image) {
-  double sum[3] = {};
-  for (const V3f& c : image)
-    for (int i = 0; i < 3; ++i) sum[i] += static_cast<double>(c[i]);
-  const auto n = static_cast<double>(image.size());
-  return {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n)};
+  return sum / static_cast<float>(area_px(grid, cell));
 }
 
 // The Gaussian applied twice on a circle of `cells`.
@@ -74,23 +62,26 @@ double dot(const FarField& a, const FarField& b) {
   return sum;
 }
 
-FarView::FarView(ImageView<const V3f> base_luv, const Partition& patches, double sigma)
+FarView::FarView(ImageView<const V3f> base_luv, const Partition& patches)
     : partition_(patches),
-      grid_(grid_of({base_luv.width(), base_luv.height()}, kCells)),
-      pieces_(grid_of({base_luv.width(), base_luv.height()}, kCells * kPiecesPerCell)),
+      grid_(CellGrid::of({base_luv.width(), base_luv.height()}, kCells)),
+      pieces_(CellGrid::of({base_luv.width(), base_luv.height()}, kCells * kPiecesPerCell)),
       piece_mean_(pieces_.cells.x, pieces_.cells.y),
       patches_(patches.centers.size()) {
   const V3f mean = mean_of(base_luv);
   parallel_for(0, pieces_.cells.y, [&](int y) {
     for (int x = 0; x < pieces_.cells.x; ++x) piece_mean_(x, y) = cell_mean(base_luv, {x, y}, pieces_) - mean;
   });
-  const double sigma_cells = sigma * std::min(grid_.cells.x, grid_.cells.y);
-  kernel_x_ = twice_folded(sigma_cells, grid_.cells.x);
-  kernel_y_ = twice_folded(sigma_cells, grid_.cells.y);
   find_pieces(patches);
   FarField tile = blank();
   for (uint32_t patch = 0; patch < patches_.size(); ++patch) add(shown(patch, Content{}), tile);
-  tile_energy_ = energy(tile);
+  for (const FarBlur blur : {FarBlur::far, FarBlur::farther}) {
+    Blur& made = blurs_[static_cast<size_t>(blur)];
+    const double sigma_cells = kSigmas[static_cast<size_t>(blur)] * std::min(grid_.cells.x, grid_.cells.y);
+    made.kernel_x = twice_folded(sigma_cells, grid_.cells.x);
+    made.kernel_y = twice_folded(sigma_cells, grid_.cells.y);
+    made.tile_energy = energy(tile, blur);
+  }
 }
 
 void FarView::find_pieces(const Partition& patches) {
@@ -151,7 +142,8 @@ void FarView::add(const FarField& part, FarField& whole) const {
     }
 }
 
-FarField FarView::blurred_twice(const FarField& field, const FarField& where) const {
+FarField FarView::blurred_twice(const FarField& field, const FarField& where, FarBlur blur) const {
+  const Blur& twice = blurs_[static_cast<size_t>(blur)];
   // Along x, for every row of the field at every column asked for; then along y.
   FarField rows{{where.first.x, field.first.y}, {where.extent.x, field.extent.y}, {}};
   rows.colors.resize(static_cast<size_t>(rows.extent.x * rows.extent.y));
@@ -160,7 +152,7 @@ FarField FarView::blurred_twice(const FarField& field, const FarField& where) co
       V3f sum(0);
       int d = wrap(rows.first.x + x - field.first.x, grid_.cells.x);
       for (int i = 0; i < field.extent.x; ++i, d = d == 0 ? grid_.cells.x - 1 : d - 1)
-        sum += field.colors[static_cast<size_t>(y * field.extent.x + i)] * kernel_x_[static_cast<size_t>(d)];
+        sum += field.colors[static_cast<size_t>(y * field.extent.x + i)] * twice.kernel_x[static_cast<size_t>(d)];
       rows.colors[static_cast<size_t>(y * rows.extent.x + x)] = sum;
     }
   FarField result{where.first, where.extent, std::vector<V3f>(where.colors.size(), V3f(0))};
@@ -169,11 +161,13 @@ FarField FarView::blurred_twice(const FarField& field, const FarField& where) co
     for (int j = 0; j < rows.extent.y; ++j, d = d == 0 ? grid_.cells.y - 1 : d - 1)
       for (int x = 0; x < result.extent.x; ++x)
         result.colors[static_cast<size_t>(y * result.extent.x + x)] +=
-            rows.colors[static_cast<size_t>(j * rows.extent.x + x)] * kernel_y_[static_cast<size_t>(d)];
+            rows.colors[static_cast<size_t>(j * rows.extent.x + x)] * twice.kernel_y[static_cast<size_t>(d)];
   }
   return result;
 }
 
-double FarView::energy(const FarField& field) const { return dot(field, blurred_twice(field, field)); }
+double FarView::energy(const FarField& field, FarBlur blur) const {
+  return dot(field, blurred_twice(field, field, blur));
+}
 
 }  // namespace texbake

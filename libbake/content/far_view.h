@@ -3,6 +3,7 @@
 // patch shows need be known inside the patch only, and what it adds to its surroundings follows.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "libbake/base/image.h"
@@ -25,14 +26,17 @@ struct FarField {
 /// Σ over the cells of a · b; both of the same rectangle.
 double dot(const FarField& a, const FarField& b);
 
-/// The tile on a grid of about 32 cells along its shorter side, seen through a Gaussian B.
+/// The Gaussian B through which the tile is seen; its σ is a part of the shorter side.
+enum class FarBlur {
+  far,      ///< 1/16: of the measures of repetition
+  farther,  ///< 1/8: of the measure of the largest shapes
+};
+
+/// The tile on a grid of about 32 cells along its shorter side, seen through Gaussians.
 class FarView {
  public:
-  static constexpr double kFar = 1.0 / 16;     ///< σ of the measures of repetition, in shorter sides
-  static constexpr double kFarther = 1.0 / 8;  ///< of the measure of the largest shapes
-
-  /// `base_luv` is the base in CIELUV; `patches` is borrowed. `sigma` is at least 1/16: cells are 1/32.
-  FarView(ImageView<const V3f> base_luv, const Partition& patches, double sigma = kFar);
+  /// `base_luv` is the base in CIELUV; `patches` is borrowed.
+  FarView(ImageView<const V3f> base_luv, const Partition& patches);
 
   /// What `patch` shows with `content`, less the tile's mean colour: for each cell near the patch the sum over what the
   /// patch covers of it, divided by the cell's area.
@@ -40,12 +44,13 @@ class FarView {
   /// Of the area of the tile.
   double share_of(uint32_t patch) const { return patches_[patch].share; }
 
-  FarField blank() const;                                                      ///< all cells of the tile, 0
-  void add(const FarField& part, FarField& whole) const;                       ///< to a field of all cells
-  FarField blurred_twice(const FarField& field, const FarField& where) const;  ///< B² of it, at the cells of `where`
-  double energy(const FarField& field) const;                                  ///< |B f|², summed over the cells
+  FarField blank() const;                                 ///< all cells of the tile, 0
+  void add(const FarField& part, FarField& whole) const;  ///< to a field of all cells
+  /// B² of it, at the cells of `where`.
+  FarField blurred_twice(const FarField& field, const FarField& where, FarBlur blur = FarBlur::far) const;
+  double energy(const FarField& field, FarBlur blur = FarBlur::far) const;  ///< |B f|², summed over the cells
   /// That of the tile as it is, less its mean.
-  double tile_energy() const { return tile_energy_; }
+  double tile_energy(FarBlur blur = FarBlur::far) const { return blurs_[static_cast<size_t>(blur)].tile_energy; }
 
  private:
   // A small piece of the tile, inside one patch and one cell.
@@ -60,15 +65,19 @@ class FarView {
     double share = 0;
   };
 
+  struct Blur {
+    std::vector<float> kernel_x, kernel_y;  // B², folded onto the torus
+    double tile_energy = 0;
+  };
+
   void find_pieces(const Partition& patches);
 
   const Partition& partition_;
-  CellGrid grid_;                           // what is seen
-  CellGrid pieces_;                         // what is gathered: eight pieces along a cell
-  Image<V3f> piece_mean_;                   // less the tile's mean
-  std::vector<float> kernel_x_, kernel_y_;  // B², folded onto the torus
+  CellGrid grid_;          // what is seen
+  CellGrid pieces_;        // what is gathered: eight pieces along a cell
+  Image<V3f> piece_mean_;  // less the tile's mean
   std::vector<PatchCells> patches_;
-  double tile_energy_ = 0;
+  std::array<Blur, 2> blurs_;  // by FarBlur
 };
 
 }  // namespace texbake

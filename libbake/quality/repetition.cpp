@@ -9,6 +9,7 @@
 
 #include "libbake/base/error.h"
 #include "libbake/base/gaussian.h"
+#include "libbake/base/mean.h"
 #include "libbake/base/parallel.h"
 #include "libbake/quality/low_pass.h"
 
@@ -61,14 +62,6 @@ V2i whole_tiles(ImageView<const V3f> rendering, V2i tile) {
                                               "found {} x {} texels",
                                               tile.x, tile.y, rendering.width(), rendering.height()));
   return tiles;
-}
-
-V3f mean_of(ImageView<const V3f> image) {
-  double sum[3] = {};
-  for (const V3f& c : image)
-    for (int i = 0; i < 3; ++i) sum[i] += c[i];
-  const auto n = static_cast<double>(image.size());
-  return {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n)};
 }
 
 }  // namespace

@@ -99,20 +99,20 @@ TEST(FarView, BlursTwiceAcrossTheBordersOfTheTile) {
 }
 
 TEST(FarView, KeepsALongWaveAndDropsAShortOne) {
-  const auto energy_of = [](double length_px, double sigma) {
+  const auto energy_of = [](double length_px, FarBlur blur) {
     Image<V3f> image(kSize, kSize);
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x)
         image(x, y) = V3f(50.0f + 10.0f * static_cast<float>(std::cos(2.0 * M_PI * x / length_px)), 0, 0);
     const Partition patches = some_patches(1);
-    return FarView(image, patches, sigma).tile_energy() / (kCells * kCells);
+    return FarView(image, patches).tile_energy(blur) / (kCells * kCells);
   };
   // A Gaussian of σ = 16 px leaves exp(−2π²σ²/λ²) of a wave's amplitude: 0.926 at 256 px, 0.0072 at 32 px. The mean
   // of its square is half the amplitude's. 3 %: cells of 8 px and a kernel cut at 3 σ.
-  EXPECT_NEAR(energy_of(256, FarView::kFar), 0.5 * std::pow(10 * 0.926, 2), 0.03 * 43);
-  EXPECT_LT(energy_of(32, FarView::kFar), 0.5 * std::pow(10 * 0.01, 2));
+  EXPECT_NEAR(energy_of(256, FarBlur::far), 0.5 * std::pow(10 * 0.926, 2), 0.03 * 43);
+  EXPECT_LT(energy_of(32, FarBlur::far), 0.5 * std::pow(10 * 0.01, 2));
   // σ = 32 px: 0.735.
-  EXPECT_NEAR(energy_of(256, FarView::kFarther), 0.5 * std::pow(10 * 0.735, 2), 0.03 * 27);
+  EXPECT_NEAR(energy_of(256, FarBlur::farther), 0.5 * std::pow(10 * 0.735, 2), 0.03 * 27);
 }
 
 TEST(FarView, ForetellsTheRepetitionOfAllPicturesThatCanBeDrawn) {
