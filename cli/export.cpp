@@ -42,7 +42,7 @@ std::shared_ptr<const ReliefPlanes> relief_for(const Scale& coarsest, const Expo
   if (coarsest.height)
     relief.depth_px = kSharePerSide * static_cast<float>(std::min(coarsest.height->width(), coarsest.height->height()));
   if (options.depth_px) relief.depth_px = *options.depth_px;
-  return has_relief(relief) ? relief_of(coarsest, relief, SlantOptions()) : nullptr;
+  return relief_of(coarsest, relief, SlantOptions());
 }
 
 /// A page draws the relief of stacks; a tile with relief is a stack of one.

@@ -33,8 +33,7 @@ DrawRows flat_drawer(const Bundle& bundle, const StackPicture& picture, const st
       return supersampled_stack_rows(stack->planes, window, samples, begin, end);
     };
   if (needs_levels(window) || has_relief(picture.relief)) add_levels(stack->planes, stack->scales);
-  std::shared_ptr<const ReliefPlanes> relief;
-  if (has_relief(picture.relief)) relief = relief_of(bundle.scales.front(), picture.relief, picture.slant);
+  const auto relief = relief_of(bundle.scales.front(), picture.relief, picture.slant);
   const Direction viewer = parse_direction("view-direction", picture.slant.view);
   if (picture.gl.backend == Backend::gl)
     return gl_stack_row_drawer(stack->planes, relief.get(), viewer, window, picture.gl.gl_device, both(stack, relief));
@@ -49,8 +48,7 @@ DrawRows plane_drawer(const Bundle& bundle, const StackPicture& picture, const s
   const Perspective view = perspective_of(picture.view, picture.window, picture.size, stack->planes.sizes.back());
   const int samples = picture.view.supersample;
   add_levels(stack->planes, stack->scales);
-  std::shared_ptr<const ReliefPlanes> relief;
-  if (has_relief(picture.relief)) relief = relief_of(bundle.scales.front(), picture.relief, picture.slant);
+  const auto relief = relief_of(bundle.scales.front(), picture.relief, picture.slant);
   if (samples > 1)
     return [stack, relief, view, samples](int begin, int end) {
       return supersampled_stack_perspective_rows(stack->planes, relief.get(), view, samples, begin, end);
@@ -66,6 +64,7 @@ DrawRows plane_drawer(const Bundle& bundle, const StackPicture& picture, const s
 
 std::shared_ptr<const ReliefPlanes> relief_of(const Scale& coarsest, const ReliefOptions& options,
                                               const SlantOptions& slant) {
+  if (!has_relief(options)) return nullptr;
   return std::make_shared<ReliefPlanes>(
       relief_planes(evaluator_input(coarsest), options, parse_direction("light", slant.light)));
 }

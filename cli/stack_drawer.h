@@ -20,7 +20,7 @@ struct StackPicture {
 
 inline bool has_relief(const ReliefOptions& options) { return options.depth_px > 0; }
 
-/// The relief of a stack's coarsest scale. Throws as relief_planes does.
+/// The relief of a stack's coarsest scale; nullptr where the options ask for none. Throws as relief_planes does.
 std::shared_ptr<const ReliefPlanes> relief_of(const Scale& coarsest, const ReliefOptions& options,
                                               const SlantOptions& slant);
 
