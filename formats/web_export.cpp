@@ -143,14 +143,11 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
   Json& json = texture["planes"];
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
   json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
-  json["centers"] = plane_json<glsl::ivec4>("RGBA32I", planes.centers);
   json["base"] = values_json(planes.base, is_half);
   json["fragment_plane"] = plane_json<glsl::FragmentTexel>("RGBA16I", planes.fragment_plane);
   json["local_mean"] = plane_json<glsl::vec4>("RGBA32F", planes.local_mean);
   json["scale_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.scale_table);
-  json["class_table"] = plane_json<glsl::vec4>("RGBA32F", planes.class_table);
-  json["mean_table"] = plane_json<glsl::vec4>("RGBA32F", planes.mean_table);
-  json["level_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.level_table);
+  json["color_table"] = plane_json<glsl::vec4>("RGBA32F", planes.color_table);
   json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
   json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
   json["base_levels"] = values_json(planes.base_levels, may_be_half);

@@ -5,9 +5,12 @@
 // content.glsl and sample.glsl read: it sets tile_size, content_count, seed, plane_row and first_patch; `use_levels` says
 // the same to those of levels.glsl.
 
+// What scale_table says of a scale: its four texels.
+ivec4 scale_entry(int column, int scale) { return texelFetch(scale_table, ivec2(column, scale + 1), 0); }
+
 void use_scale(int scale) {
-  ivec4 plane = texelFetch(scale_table, ivec2(0, scale), 0);
-  ivec4 table = texelFetch(scale_table, ivec2(1, scale), 0);
+  ivec4 plane = scale_entry(0, scale);
+  ivec4 table = scale_entry(1, scale);
   tile_size = ivec2(plane.x, plane.y);
   plane_row = plane.z;
   first_patch = plane.w;
@@ -21,8 +24,8 @@ void use_scale(int scale) {
 
 // Beside use_scale: where the levels of a scale begin.
 void use_levels(int scale) {
-  ivec4 lists = texelFetch(scale_table, ivec2(2, scale), 0);
-  ivec4 values = texelFetch(scale_table, ivec2(3, scale), 0);
+  ivec4 lists = scale_entry(2, scale);
+  ivec4 values = scale_entry(3, scale);
   level_row = lists.x;
   block_row = lists.y;
   entry_row = lists.z;
@@ -48,7 +51,7 @@ ivec2 coarser_place(int x, int repetition, int side, ivec2 start, int coarse_sid
 Position coarser_origin(int scale, Texel at) {
   uvec4 nest = nesting[scale];
   ivec2 offset = nesting_offset[scale];
-  ivec4 coarse = texelFetch(scale_table, ivec2(0, scale - 1), 0);
+  ivec4 coarse = scale_entry(0, scale - 1);
   ivec2 x = coarser_place(at.p.x, int(at.tile.x - nest.x), tile_size.x, ivec2(int(nest.z), offset.x), coarse.x * ratio);
   ivec2 y = coarser_place(at.p.y, int(at.tile.y - nest.y), tile_size.y, ivec2(int(nest.w), offset.y), coarse.y * ratio);
   Position place;
@@ -119,7 +122,7 @@ ivec2 fragment_center(Texel at, Decision decision, Source source, ivec4 labels) 
 
 // A colour with its variation, what it has beside the dominant colour of its class, times `share` and the class's gain.
 vec4 with_variation(vec4 color, int class_idx, float share) {
-  vec4 entry = texelFetch(class_table, ivec2(first_class + class_idx, 0), 0);
+  vec4 entry = texelFetch(color_table, ivec2(first_class + class_idx, 0), 0);
   float kept = share * entry.w;
   if (kept == 1.0f) return color;
   return lerp(vec4(entry.x, entry.y, entry.z, 0.0f), color, kept);
@@ -127,8 +130,8 @@ vec4 with_variation(vec4 color, int class_idx, float share) {
 
 // The mean of what with_variation gives over the tile of `scale`, or around the texel `p` of it.
 vec4 detail_mean(int scale, ivec2 p, float share) {
-  vec4 dominant = texelFetch(mean_table, ivec2(0, scale), 0);
-  vec4 whole = texelFetch(mean_table, ivec2(1, scale), 0);
+  vec4 dominant = texelFetch(color_table, ivec2(0, scale + 2), 0);
+  vec4 whole = texelFetch(color_table, ivec2(1, scale + 2), 0);
   vec4 mean = share == 1.0f ? whole : lerp(dominant, whole, share);
   if ((transfer_bits & 4) == 0) return mean;
   vec4 around = texelFetch(local_mean, ivec2(p.x, p.y + plane_row), 0);
@@ -148,10 +151,10 @@ struct Shown {
 // What the patches of a texel on a soft border show there of `scale`, which is in use, whatever levels are. `alone` is what
 // its own patch shows, which is all of it elsewhere.
 vec4 shared_color(int scale, Texel at, float share, vec4 alone) {
-  ivec4 lists = texelFetch(scale_table, ivec2(2, scale), 0);
+  ivec4 lists = scale_entry(2, scale);
   uvec4 block = texelFetch(level_blocks, ivec2(at.p.x, at.p.y + lists.y), 0);
   if ((block.y >> 20u) == 0u) return alone;
-  ivec4 values = texelFetch(scale_table, ivec2(3, scale), 0);
+  ivec4 values = scale_entry(3, scale);
   ivec2 rows = ivec2(entry_row, value_row);
   entry_row = lists.z;
   vec4 whole = alone;
@@ -181,8 +184,8 @@ Shown shown_texel(int scale, Texel at, float variation) {
   Shown shown;
   shown.color = with_variation(source_value(base, source), labels.w, share);
   if (first_level == 0) shown.color = shared_color(scale, at, share, shown.color);
-  shown.giving = texelFetch(class_table, ivec2(first_class + labels.w, 1), 0).y;
-  shown.taking = texelFetch(class_table, ivec2(first_class + labels.z, 1), 0).x;
+  shown.giving = texelFetch(color_table, ivec2(first_class + labels.w, 1), 0).y;
+  shown.taking = texelFetch(color_table, ivec2(first_class + labels.z, 1), 0).x;
   shown.anchor = at;
   shown.mean = shown.color;
   if (scale == 0) return shown;

@@ -2,17 +2,15 @@
 // stand one below the other, their patches, contents and classes one after the other.
 uniform usampler2D patch_plane;     // RG16UI
 uniform isampler2D contents;        // RGBA32I
-uniform isampler2D centers;         // RGBA32I
 uniform sampler2D base;             // RGBA32F or RGBA16F
 uniform isampler2D fragment_plane;  // RGBA16I  way to the fragment's centre x, y; class of the fragment, of the texel
 uniform sampler2D local_mean;       // RGBA32F  where a scale subtracts a local mean
-uniform isampler2D scale_table;     // RGBA32I  4 x S   W, H, plane_row, first_patch; N_t, ratio, first_class, bits;
-                                    //                  level_row, block_row, entry_row, level_count; value_row, dominant_row,
-                                    //                  share_row, 256 variationFade
-uniform sampler2D class_table;      // RGBA32F  K x 2   dominant colour, gain; taking, giving, 0, 0
-uniform sampler2D mean_table;       // RGBA32F  2 x S   mean of the dominant part; mean of the tile with its gains
-uniform isampler2D level_table;     // RGBA32I  3 x n  as in bindings.glsl, as are the next three
-uniform usampler2D level_blocks;    // RG32UI
+uniform isampler2D scale_table;     // RGBA32I  row 0: centers as in bindings.glsl; then for each scale W, H, plane_row, first_patch;
+                                    //          N_t, ratio, first_class, bits; level_row, block_row, entry_row, level_count;
+                                    //          value_row, dominant_row, share_row, 256 variationFade; then level_table
+uniform sampler2D color_table;      // RGBA32F  rows 0, 1, for each class: dominant colour, gain; taking, giving, 0, 0; then for
+                                    //          each scale the mean of the dominant part and that of the tile with its gains
+uniform usampler2D level_blocks;    // RG32UI   as in bindings.glsl, as are the next two
 uniform usampler2D level_entries;   // RG16UI   4096 x n
 uniform sampler2D base_levels;      // RGBA32F  4096 x n  of the bases with their gains; of dominant colours; w: taking
 uniform isampler2D fragment_shares; // RGBA32I  4096 x n  of each value of a block its first fragment, then the others: centre x + 65536 y;
@@ -21,6 +19,9 @@ uniform int scale_count;            // S
 uniform uint stack_seed;
 uniform uvec4 nesting[8];           // of each scale a repetition near what is drawn: x, y; where its corner lies in the
 uniform ivec2 nesting_offset[8];    // scale before it: the repetition z, w there, and texels of this scale inside it
+// Small tables share a texture: there are to be no more textures than every driver has.
+#define centers scale_table
+#define level_table scale_table
 // The scale in use.
 ivec2 tile_size;
 int plane_row;

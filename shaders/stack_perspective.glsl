@@ -24,7 +24,7 @@ SeenScale stack_scale(float width) {
     if (found.level_256 < ratio_256) {
       if (found.level_256 <= 0) break;
       found.fading_256 = found.level_256 * 256 / ratio_256;
-      int fade_256 = texelFetch(scale_table, ivec2(3, i), 0).w;
+      int fade_256 = scale_entry(3, i).w;
       found.variation_256 = 256 - fade_256 * found.fading_256 / 256;
       if (found.variation_256 < 0) found.variation_256 = 0;
       break;

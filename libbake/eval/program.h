@@ -42,8 +42,7 @@ struct Program {
   fragment_sampler2D fragment_plane;
   sampler2D local_mean;
   isampler2D scale_table;
-  sampler2D class_table;
-  sampler2D mean_table;
+  sampler2D color_table;
   sampler2D base_levels;
   isampler2D fragment_shares;
   int dominant_row = 0;

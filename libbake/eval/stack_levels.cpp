@@ -81,26 +81,26 @@ void count_from(Image<glsl::ivec4>& shares, int row) {
 int last_level(int ratio) { return static_cast<int>(std::bit_width(static_cast<uint32_t>(ratio - 1))); }
 
 void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
-  if (!stack.level_table.empty()) return;
+  if (!stack.level_blocks.empty()) return;
   std::vector<StackScale> scales = given;
   set_strengths(scales);
   std::vector<LeveledScale> leveled_scales;
   for (size_t s = 0; s < scales.size(); ++s) leveled_scales.push_back(leveled(scales[s], has_dominants(scales, s)));
 
   // Bases of all scales first, then dominant colours.
-  std::vector<const Image<glsl::ivec4>*> tables;
+  std::vector<const Image<glsl::ivec4>*> tables = {&stack.scale_table};
   std::vector<const Image<glsl::LevelBlock>*> blocks;
   std::vector<const Image<glsl::PatchTexel>*> entries;
   std::vector<const Image<glsl::vec4>*> values;
   std::vector<const Image<glsl::ivec4>*> shares;
-  int level_row = 0, block_row = 0, entry_row = 0, value_row = 0, share_row = 0;
+  int level_row = stack.scale_table.height(), block_row = 0, entry_row = 0, value_row = 0, share_row = 0;
   for (size_t s = 0; s < scales.size(); ++s) {
     LeveledScale& scale = leveled_scales[s];
     count_from(scale.shares, share_row);
-    if (scale.planes.first_level == 0) stack.scale_table(1, static_cast<int>(s)).w |= kSoftBorders;
-    stack.scale_table(2, static_cast<int>(s)) = {level_row, block_row, entry_row, scale.level_count};
-    stack.scale_table(3, static_cast<int>(s)).x = value_row;
-    stack.scale_table(3, static_cast<int>(s)).z = share_row;
+    if (scale.planes.first_level == 0) stack.scale_entry(1, static_cast<int>(s)).w |= kSoftBorders;
+    stack.scale_entry(2, static_cast<int>(s)) = {level_row, block_row, entry_row, scale.level_count};
+    stack.scale_entry(3, static_cast<int>(s)).x = value_row;
+    stack.scale_entry(3, static_cast<int>(s)).z = share_row;
     tables.push_back(&scale.planes.level_table);
     blocks.push_back(&scale.planes.level_blocks);
     entries.push_back(&scale.planes.level_entries);
@@ -114,11 +114,11 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   }
   for (size_t s = 0; s < scales.size(); ++s) {
     if (!has_dominants(scales, s)) continue;
-    stack.scale_table(3, static_cast<int>(s)).y = value_row;
+    stack.scale_entry(3, static_cast<int>(s)).y = value_row;
     values.push_back(&leveled_scales[s].planes.maps[0].level_values);
     value_row += values.back()->height();
   }
-  stack.level_table = stacked(tables, glsl::ivec4{0, 0, 0, 0});
+  stack.scale_table = stacked(tables, glsl::ivec4{0, 0, 0, 0});
   stack.level_blocks = stacked(blocks, glsl::LevelBlock{});
   stack.level_entries = stacked(entries, glsl::PatchTexel{});
   stack.base_levels = stacked(values, glsl::vec4{0, 0, 0, 0});

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "libbake/base/error.h"
 #include "libbake/color/luv.h"
@@ -33,8 +32,8 @@ void check_list(const std::vector<float>& list, size_t classes, const char* what
     if (!(x >= 0 && x <= 16)) throw Error(ErrorKind::bad_data, fmt::format("{}: expected 0 to 16, found {}", what, x));
 }
 
-/// Colours of the classes and what §8 lets a person choose for each: two rows.
-void add_classes(const StackScale& scale, const ScaleTransfer* finer, std::vector<glsl::vec4> (&rows)[2]) {
+/// Colours of the classes and what §8 lets a person choose for each: the first two rows.
+void add_classes(const StackScale& scale, const ScaleTransfer* finer, std::vector<std::vector<glsl::vec4>>& rows) {
   const ScaleTransfer own = scale.transfer ? *scale.transfer : ScaleTransfer{};
   const std::vector<float> giving = finer ? finer->coarse_weights : std::vector<float>{};
   const std::vector<V3f> dominants = dominant_colors(scale);
@@ -58,20 +57,14 @@ int transfer_bits(const StackScale& scale, const ScaleTransfer* finer) {
   return reads_labels ? bits | kLabels : bits;
 }
 
+/// Shorter rows end with `empty`.
 template <class T>
-Image<T> image_of(const std::vector<T> (&rows)[2], T empty) {
-  Image<T> image(static_cast<int>(rows[0].size()), 2, empty);
-  for (int y = 0; y < 2; ++y) std::copy(rows[y].begin(), rows[y].end(), image.row(y));
-  return image;
-}
-
-/// A table of one row for each scale.
-template <class T>
-Image<T> transposed(std::span<const std::vector<T>> columns, T empty) {
-  Image<T> image(static_cast<int>(columns.size()), static_cast<int>(columns[0].size()), empty);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) image(x, y) = columns[static_cast<size_t>(x)][static_cast<size_t>(y)];
-  return image;
+Image<T> table_of(const std::vector<std::vector<T>>& rows, T empty) {
+  size_t width = 1;
+  for (const std::vector<T>& row : rows) width = std::max(width, row.size());
+  Image<T> table(static_cast<int>(width), static_cast<int>(rows.size()), empty);
+  for (size_t y = 0; y < rows.size(); ++y) std::copy(rows[y].begin(), rows[y].end(), table.row(static_cast<int>(y)));
+  return table;
 }
 
 /// Takes the scales from coarse to fine, then puts them together.
@@ -89,11 +82,12 @@ class StackBuilder {
     const ScaleTransfer transfer = scale.transfer ? *scale.transfer : ScaleTransfer{};
     fragments_.push_back(fragment_plane(scale));
     add_means(scale, transfer);
-    add_classes(scale, finer, classes_);
-    scales_[0].emplace_back(own.size.x, own.size.y, row_, patch_);
-    scales_[1].emplace_back(own.content_count, transfer.ratio, first_class_, transfer_bits(scale, finer));
-    scales_[2].emplace_back(0, 0, 0, 0);
-    scales_[3].emplace_back(0, 0, 0, static_cast<int>(std::lround(256 * transfer.variation_fade)));
+    add_classes(scale, finer, colors_);
+    scales_[0].insert(scales_[0].end(), own.centers.begin(), own.centers.end());
+    scales_.push_back({{own.size.x, own.size.y, row_, patch_},
+                       {own.content_count, transfer.ratio, first_class_, transfer_bits(scale, finer)},
+                       {0, 0, 0, 0},
+                       {0, 0, 0, static_cast<int>(std::lround(256 * transfer.variation_fade))}});
     stack_.sizes.push_back(own.size);
     stack_.transfers.push_back(transfer);
     stack_.content_counts.push_back(own.content_count);
@@ -116,14 +110,9 @@ class StackBuilder {
     stack_.contents = stacked(contents, glsl::ivec4{0, 65536, 65536, 0});
     stack_.base = stacked(bases, kNothing);
     stack_.fragment_plane = stacked(pointers_to(fragments_), glsl::FragmentTexel{});
-    stack_.centers = Image<glsl::ivec4>(patch_, 1, {0, 0, 0, 0});
-    auto* center = stack_.centers.data();
-    for (const EvaluatorPlanes& scale : planes_)
-      center = std::copy_n(scale.centers.data(), scale.centers.width(), center);
     stack_.local_mean = stacked_local_means();
-    stack_.scale_table = transposed<glsl::ivec4>(scales_, glsl::ivec4{0, 0, 0, 0});
-    stack_.mean_table = transposed<glsl::vec4>(means_, kNothing);
-    stack_.class_table = image_of(classes_, kNothing);
+    stack_.scale_table = table_of(scales_, glsl::ivec4{0, 0, 0, 0});
+    stack_.color_table = table_of(colors_, kNothing);
     return std::move(stack_);
   }
 
@@ -133,8 +122,7 @@ class StackBuilder {
   void add_means(const StackScale& scale, const ScaleTransfer& transfer) {
     const Image<V3f> detail = detail_of(scale);
     const TileMeans means = tile_means(scale, detail);
-    means_[0].push_back(texel_of(means.dominant));
-    means_[1].push_back(texel_of(means.whole));
+    colors_.push_back({texel_of(means.dominant), texel_of(means.whole)});
     const bool is_local = scale.transfer && transfer.detail_mean == DetailMean::local;
     local_means_.push_back(is_local ? box_means(detail, transfer.ratio) : Image<glsl::vec4>());
   }
@@ -153,9 +141,8 @@ class StackBuilder {
   std::vector<EvaluatorPlanes> planes_;
   std::vector<Image<glsl::FragmentTexel>> fragments_;
   std::vector<Image<glsl::vec4>> local_means_;
-  std::vector<glsl::ivec4> scales_[4];
-  std::vector<glsl::vec4> classes_[2];
-  std::vector<glsl::vec4> means_[2];
+  std::vector<std::vector<glsl::ivec4>> scales_{1};  ///< scale_table: the centres of all patches, then each scale
+  std::vector<std::vector<glsl::vec4>> colors_{2};   ///< color_table: classes in two rows, then each scale
   int row_ = 0, patch_ = 0, first_class_ = 0;
 };
 
@@ -226,14 +213,11 @@ glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 r
   glsl::Program program;
   program.patch_plane = sampler_of(planes.patch_plane);
   program.contents = sampler_of(planes.contents);
-  program.centers = sampler_of(planes.centers);
   program.base = sampler_of(planes.base);
   program.fragment_plane = sampler_of(planes.fragment_plane);
   program.local_mean = sampler_of(planes.local_mean);
-  program.scale_table = sampler_of(planes.scale_table);
-  program.class_table = sampler_of(planes.class_table);
-  program.mean_table = sampler_of(planes.mean_table);
-  program.level_table = sampler_of(planes.level_table);
+  program.scale_table = program.centers = program.level_table = sampler_of(planes.scale_table);
+  program.color_table = sampler_of(planes.color_table);
   program.level_blocks = sampler_of(planes.level_blocks);
   program.level_entries = sampler_of(planes.level_entries);
   program.base_levels = sampler_of(planes.base_levels);

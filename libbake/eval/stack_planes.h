@@ -28,15 +28,12 @@ struct StackPlanes {
   std::vector<int> content_counts, patch_counts;
   Image<glsl::PatchTexel> patch_plane;
   Image<glsl::ivec4> contents;
-  Image<glsl::ivec4> centers;
   Image<glsl::vec4> base;
   Image<glsl::FragmentTexel> fragment_plane;
   Image<glsl::vec4> local_mean;
-  Image<glsl::ivec4> scale_table;
-  Image<glsl::vec4> class_table;
-  Image<glsl::vec4> mean_table;
-  Image<glsl::ivec4>
-      level_table;  ///< this and what follows: empty until add_levels (stack_levels.h), if borders are hard
+  Image<glsl::ivec4> scale_table;  ///< with the centres of patches; add_levels appends the tables of levels
+  Image<glsl::vec4> color_table;
+  /// This and what follows: empty until add_levels (stack_levels.h), if borders are hard.
   Image<glsl::LevelBlock> level_blocks;
   Image<glsl::PatchTexel> level_entries;
   Image<glsl::vec4> base_levels;
@@ -45,7 +42,10 @@ struct StackPlanes {
   int scale_count() const { return static_cast<int>(sizes.size()); }
   int finest() const { return scale_count() - 1; }
   /// Levels of detail of a scale beside level 0.
-  int level_count(int scale) const { return scale_table(2, scale).w; }
+  int level_count(int scale) const { return scale_entry(2, scale).w; }
+  /// As in shaders/scales.glsl.
+  const glsl::ivec4& scale_entry(int column, int scale) const { return scale_table(column, scale + 1); }
+  glsl::ivec4& scale_entry(int column, int scale) { return scale_table(column, scale + 1); }
   /// Texels of the finest scale along one texel of `scale`.
   int64_t texels_in(int scale) const;
 };

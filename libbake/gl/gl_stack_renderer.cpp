@@ -33,7 +33,7 @@ struct GlStackRenderer::State {
   const ReliefPlanes flat{};
   const ReliefPlanes& relief;
   GlProgram program;
-  std::array<Bound, 16> textures;
+  std::array<Bound, 13> textures;
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
 
@@ -45,14 +45,11 @@ struct GlStackRenderer::State {
         program(gl, reference_vertex_shader(context.language()), fragment_shader),
         textures{{{"patch_plane", upload(gl, kRg16ui, stack.patch_plane)},
                   {"contents", upload(gl, kRgba32i, stack.contents)},
-                  {"centers", upload(gl, kRgba32i, stack.centers)},
                   {"base", upload(gl, kRgba32f, stack.base)},
                   {"fragment_plane", upload(gl, kRgba16i, stack.fragment_plane)},
                   {"local_mean", upload(gl, kRgba32f, stack.local_mean)},
                   {"scale_table", upload(gl, kRgba32i, stack.scale_table)},
-                  {"class_table", upload(gl, kRgba32f, stack.class_table)},
-                  {"mean_table", upload(gl, kRgba32f, stack.mean_table)},
-                  {"level_table", upload(gl, kRgba32i, stack.level_table)},
+                  {"color_table", upload(gl, kRgba32f, stack.color_table)},
                   {"level_blocks", upload(gl, kRg32ui, stack.level_blocks)},
                   {"level_entries", upload(gl, kRg16ui, stack.level_entries)},
                   {"base_levels", upload(gl, kRgba32f, stack.base_levels)},

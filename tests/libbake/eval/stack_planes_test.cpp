@@ -32,7 +32,7 @@ vec4 alone(Program program, int scale, const Texel& at) {
   return program.source_value(program.base, program.texel_source(at));
 }
 
-vec4 mean_of(const StackPlanes& planes, int scale) { return planes.mean_table(1, scale); }
+vec4 mean_of(const StackPlanes& planes, int scale) { return planes.color_table(1, scale + 2); }
 
 /// The repetition in which (x, y) lies: the evaluator counts from there.
 glsl::uvec2 near(int64_t x, int64_t y, V2i size) { return texel_of(x, y, size).tile; }
@@ -249,9 +249,9 @@ TEST(StackPlanes, WithoutVariationAScaleIsItsDominantColours) {
   program.use_scale(1);
   const glsl::ivec4 labels(0, 0, 0, 1);
   const vec4 dominant = program.with_variation({7, 8, 9, 0}, labels.w, 0);
-  EXPECT_EQ(dominant.x, planes.class_table(2 + 1, 0).x);
+  EXPECT_EQ(dominant.x, planes.color_table(2 + 1, 0).x);
   EXPECT_EQ(program.with_variation({7, 8, 9, 0}, 1, 1), vec4(7, 8, 9, 0));
-  EXPECT_EQ(program.detail_mean(1, {0, 0}, 0).y, planes.mean_table(0, 1).y);
+  EXPECT_EQ(program.detail_mean(1, {0, 0}, 0).y, planes.color_table(0, 1 + 2).y);
 }
 
 TEST(StackPlanes, SoftlyTakenColoursAreContinuousWhereTexelsAreNot) {
