@@ -38,7 +38,7 @@ std::string reference_core(ShaderLanguage language) {
 std::string stack_core(ShaderLanguage language) {
   return concatenated({prologue(language), "stack_bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl",
                        "noise.glsl", "levels.glsl", "scales.glsl", "stack_levels.glsl", "relief_bindings.glsl",
-                       "relief.glsl", "stack_relief.glsl"});
+                       "relief.glsl", "stack_relief.glsl", "stack_probes.glsl"});
 }
 
 std::string stack_fragment_shader(ShaderLanguage language) {

@@ -76,13 +76,6 @@ StackSight window_sight(StackProbes seen, vec3 slant) {
   return moved_and_lit(sight, relief_at(pixel, vec2(slant.x, slant.y), slant.z));
 }
 
-// What the pixel shows: an exact product, by a multiple of 1/4096.
-vec4 sight_value(StackSight sight, int smooth_filter) {
-  const float per_4096 = 0.000244140625f;
-  PRECISE vec4 lit = stack_probes_value(sight.seen, smooth_filter) * (float(sight.light_4096) * per_4096);
-  return lit;
-}
-
 // What was found, in numbers to compare: offset of the middle, their upper bits 256 fading and 256 variation; level_256 |
 // (halvings + 1) << 16 | coarser_halvings << 20 | scale << 24; axis, 16 bits of each part, stirred by the light.
 uvec4 decided_of(StackSight sight) {

@@ -89,6 +89,8 @@ struct Program {
 #include "shaders/relief.glsl"
 //
 #include "shaders/stack_relief.glsl"
+//
+#include "shaders/stack_probes.glsl"
 #undef PRECISE
 };
 

@@ -1,13 +1,14 @@
 #include "libbake/eval/relief_window.h"
 
 #include "libbake/base/parallel.h"
-#include "libbake/eval/program_of.h"
+#include "libbake/eval/stack_row_program.h"
 
 namespace texbake {
 namespace {
 
-/// Calls draw(program, i, j, sight) for every pixel of rows `row_begin` + j.
-template <class Draw>
+/// Calls draw(program, i, j, sight) for every pixel of rows `row_begin` + j, with a Text of each row: Program, or what
+/// differs from it in time.
+template <class Text, class Draw>
 void for_each_sight(const StackPlanes& planes, const ReliefPlanes& relief, const Direction& viewer,
                     const Window& window, const ScaleView& view, int row_begin, int row_end, const Draw& draw) {
   check_window(window, planes.sizes[static_cast<size_t>(view.scale)]);
@@ -15,7 +16,7 @@ void for_each_sight(const StackPlanes& planes, const ReliefPlanes& relief, const
   bind_relief(bound, relief);
   const glsl::vec3 slant = slant_of(planes, viewer, window, view.scale);
   parallel_for(0, row_end - row_begin, [&](int j) {
-    glsl::Program program = bound;
+    Text program(bound);
     for (int i = 0; i < window.width; ++i) {
       program.use_scale(view.scale);
       const glsl::Position at = program.pixel_position(
@@ -37,11 +38,12 @@ Image<V3f> render_relief_rows(const StackPlanes& planes, const ReliefPlanes& rel
   const ScaleView view = scale_view(planes, window);
   const Window shown = window_in_scale(planes, window, view.scale);
   Image<V3f> rows(shown.width, row_end - row_begin);
-  for_each_sight(planes, relief, viewer, shown, view, row_begin, row_end,
-                 [&](glsl::Program& program, int i, int j, const glsl::StackSight& sight) {
-                   const glsl::vec4 value = program.sight_value(sight, smooth_filter(shown.filter));
-                   rows(i, j) = {value.x, value.y, value.z};
-                 });
+  for_each_sight<glsl::StackRowProgram>(
+      planes, relief, viewer, shown, view, row_begin, row_end,
+      [&](glsl::StackRowProgram& program, int i, int j, const glsl::StackSight& sight) {
+        const glsl::vec4 value = program.sight_value(sight, smooth_filter(shown.filter));
+        rows(i, j) = {value.x, value.y, value.z};
+      });
   return rows;
 }
 
@@ -49,12 +51,12 @@ Frame relief_frame(const StackPlanes& planes, const ReliefPlanes& relief, const 
                    const ScaleView& view) {
   Frame frame{Image<glsl::vec4>(window.width, window.height, {0, 0, 0, 0}),
               Image<PixelDecision>(window.width, window.height)};
-  for_each_sight(planes, relief, viewer, window, view, 0, window.height,
-                 [&](glsl::Program& program, int i, int j, const glsl::StackSight& sight) {
-                   const glsl::uvec4 decided = program.decided_of(sight);
-                   frame.values(i, j) = program.sight_value(sight, smooth_filter(window.filter));
-                   frame.decisions(i, j) = {decided.x, decided.y, decided.z, decided.w};
-                 });
+  for_each_sight<glsl::Program>(planes, relief, viewer, window, view, 0, window.height,
+                                [&](glsl::Program& program, int i, int j, const glsl::StackSight& sight) {
+                                  const glsl::uvec4 decided = program.decided_of(sight);
+                                  frame.values(i, j) = program.sight_value(sight, smooth_filter(window.filter));
+                                  frame.decisions(i, j) = {decided.x, decided.y, decided.z, decided.w};
+                                });
   return frame;
 }
 

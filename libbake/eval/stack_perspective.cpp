@@ -2,11 +2,13 @@
 
 #include "libbake/base/parallel.h"
 #include "libbake/eval/perspective_program.h"
+#include "libbake/eval/stack_row_program.h"
 
 namespace texbake {
 namespace {
 
 using glsl::PerspectiveProgram;
+using glsl::StackRowProgram;
 using glsl::StackSight;
 using glsl::vec4;
 
@@ -23,14 +25,15 @@ StackSight sight_of(PerspectiveProgram& program, const Perspective& view, int x,
 
 V3f color_of(const vec4& value) { return {value.x, value.y, value.z}; }
 
-/// Calls draw(program, x, y) for every pixel of the rows.
+/// Calls draw(program, values, x, y) for every pixel of the rows: `program` finds what is seen, `values` what that
+/// shows.
 template <class Draw>
 Image<V3f> draw_rows(const PerspectiveProgram& shared, const Perspective& view, int row_begin, int row_end,
                      const Draw& draw) {
   Image<V3f> rows(view.width, row_end - row_begin);
-  parallel_for(0, rows.height(), [&](int j) {
+  for_each_row(shared, rows.height(), [&](StackRowProgram& values, int j) {
     PerspectiveProgram program = shared;
-    for (int i = 0; i < rows.width(); ++i) rows(i, j) = draw(program, i, row_begin + j);
+    for (int i = 0; i < rows.width(); ++i) rows(i, j) = draw(program, values, i, row_begin + j);
   });
   return rows;
 }
@@ -40,9 +43,9 @@ Image<V3f> draw_rows(const PerspectiveProgram& shared, const Perspective& view, 
 Image<V3f> render_stack_perspective_rows(const StackPlanes& planes, const ReliefPlanes* relief, const Perspective& view,
                                          int row_begin, int row_end) {
   return draw_rows(bound(planes, relief, view), view, row_begin, row_end,
-                   [&](PerspectiveProgram& program, int x, int y) {
+                   [&](PerspectiveProgram& program, StackRowProgram& values, int x, int y) {
                      const StackSight sight = sight_of(program, view, x, y);
-                     return sight.hits ? color_of(program.sight_value(sight, program.view_filter)) : view.sky;
+                     return sight.hits ? color_of(values.sight_value(sight, program.view_filter)) : view.sky;
                    });
 }
 
@@ -52,7 +55,8 @@ Image<V3f> supersampled_stack_perspective_rows(const StackPlanes& planes, const 
     return static_cast<float>(pixel) + (static_cast<float>(k) + 0.5f) / static_cast<float>(samples);
   };
   return draw_rows(
-      bound(planes, relief, view), view, row_begin, row_end, [&](PerspectiveProgram& program, int x, int y) {
+      bound(planes, relief, view), view, row_begin, row_end,
+      [&](PerspectiveProgram& program, StackRowProgram& values, int x, int y) {
         // The scales that the whole pixel sees, of each sample's place alone.
         StackSight sight = sight_of(program, view, x, y);
         sight.seen.row.level_256 = sight.seen.row.halvings = sight.seen.coarser_halvings = 0;
@@ -66,7 +70,7 @@ Image<V3f> supersampled_stack_perspective_rows(const StackPlanes& planes, const 
             const PerspectiveProgram::Ellipse point{kSmall, kSmall, {kSmall, 0}, kSmall * kSmall};
             const StackSight seen =
                 ground.hits ? program.with_relief(sight, point_below(view), ground, point, kSmall) : sight;
-            sum += Imath::V3d(ground.hits ? color_of(program.sight_value(seen, program.view_filter)) : view.sky);
+            sum += Imath::V3d(ground.hits ? color_of(values.sight_value(seen, program.view_filter)) : view.sky);
           }
         return V3f(sum / (double{1} * samples * samples));
       });

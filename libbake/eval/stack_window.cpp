@@ -5,29 +5,20 @@
 
 #include "libbake/base/parallel.h"
 #include "libbake/base/portable_math.h"
-#include "libbake/eval/program_of.h"
+#include "libbake/eval/stack_row_program.h"
 
 namespace texbake {
 namespace {
 
 using glsl::Position;
 using glsl::Program;
+using glsl::StackRowProgram;
 using glsl::uvec2;
 
 Position pixel_point(Program& program, const Window& window, int scale, int i, int j) {
   program.use_scale(scale);
   return program.pixel_position(origin_of(window), window.step_256,
                                 {static_cast<uint32_t>(i), static_cast<uint32_t>(j)});
-}
-
-template <class Draw>
-void for_each_pixel(const StackPlanes& planes, const Window& window, int scale, int row_begin, int row_end,
-                    const Draw& draw) {
-  const Program bound = program_of(planes, window.seed, reference_near(planes, window, scale));
-  parallel_for(0, row_end - row_begin, [&](int j) {
-    Program program = bound;
-    for (int i = 0; i < window.width; ++i) draw(program, i, j, pixel_point(program, window, scale, i, row_begin + j));
-  });
 }
 
 }  // namespace
@@ -93,11 +84,14 @@ Image<V3f> render_scale_rows(const StackPlanes& planes, const Window& window, co
                              int row_end) {
   check_window(window, planes.sizes[static_cast<size_t>(view.scale)]);
   Image<V3f> rows(window.width, row_end - row_begin);
-  for_each_pixel(
-      planes, window, view.scale, row_begin, row_end, [&](Program& program, int i, int j, const Position& at) {
-        const glsl::vec4 value = program.stack_probes_value(stack_probes(view, at), smooth_filter(window.filter));
-        rows(i, j) = {value.x, value.y, value.z};
-      });
+  const Program bound = program_of(planes, window.seed, reference_near(planes, window, view.scale));
+  for_each_row(bound, rows.height(), [&](StackRowProgram& program, int j) {
+    for (int i = 0; i < rows.width(); ++i) {
+      const Position at = pixel_point(program, window, view.scale, i, row_begin + j);
+      const glsl::vec4 value = program.stack_probes_value(stack_probes(view, at), smooth_filter(window.filter));
+      rows(i, j) = {value.x, value.y, value.z};
+    }
+  });
   return rows;
 }
 
@@ -110,13 +104,18 @@ Frame reference_stack_frame(const StackPlanes& planes, const Window& window, con
   check_window(window, planes.sizes[static_cast<size_t>(view.scale)]);
   Frame frame{Image<glsl::vec4>(window.width, window.height, {0, 0, 0, 0}),
               Image<PixelDecision>(window.width, window.height)};
-  for_each_pixel(planes, window, view.scale, 0, window.height, [&](Program& program, int i, int j, const Position& at) {
-    const glsl::Texel texel = program.texel_at(at);
-    const glsl::Decision decision = program.decide(texel);
-    const glsl::Source source = program.source_of(texel, decision);
-    frame.decisions(i, j) = {static_cast<uint32_t>(decision.patch_idx), static_cast<uint32_t>(decision.content),
-                             static_cast<uint32_t>(source.nearest.x), static_cast<uint32_t>(source.nearest.y)};
-    frame.values(i, j) = program.stack_probes_value(stack_probes(view, at), smooth_filter(window.filter));
+  const Program bound = program_of(planes, window.seed, reference_near(planes, window, view.scale));
+  parallel_for(0, window.height, [&](int j) {
+    Program program = bound;
+    for (int i = 0; i < window.width; ++i) {
+      const Position at = pixel_point(program, window, view.scale, i, j);
+      const glsl::Texel texel = program.texel_at(at);
+      const glsl::Decision decision = program.decide(texel);
+      const glsl::Source source = program.source_of(texel, decision);
+      frame.decisions(i, j) = {static_cast<uint32_t>(decision.patch_idx), static_cast<uint32_t>(decision.content),
+                               static_cast<uint32_t>(source.nearest.x), static_cast<uint32_t>(source.nearest.y)};
+      frame.values(i, j) = program.stack_probes_value(stack_probes(view, at), smooth_filter(window.filter));
+    }
   });
   return frame;
 }

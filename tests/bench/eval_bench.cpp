@@ -1,10 +1,13 @@
-// Pixels per second of the evaluator, beside a plain periodic lookup in the same run. `items_per_second` is pixels.
+// Pixels per second of the evaluator, beside a plain periodic lookup in the same run, and of a plane of two scales
+// beside the plain walk of the reference text. `items_per_second` is pixels.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
 #include "libbake/eval/program_of.h"
 #include "libbake/eval/show.h"
-#include "tests/libbake/eval/small_tile.h"
+#include "libbake/eval/stack_levels.h"
+#include "libbake/eval/stack_perspective.h"
+#include "tests/libbake/eval/small_stack.h"
 
 namespace texbake {
 namespace {
@@ -120,6 +123,55 @@ void point_periodic_bilinear(benchmark::State& state) {
   });
 }
 BENCHMARK(point_periodic_bilinear);
+
+/// Two scales as a bake of photographs has them: eight contents, soft borders, fragments of 16 × 16 texels.
+const SmallStack& two_photographs() {
+  static const SmallStack stack = [] {
+    constexpr V2i kSize(1024, 1024);
+    SmallStack made;
+    for (const uint64_t seed : {1, 2}) {
+      ScaleTile tile = random_scale(kSize, 8, Contents::moved, seed);
+      tile.tile.soft_border_px = 3;
+      tile.fragments = square_fragments(kSize, 16);
+      made.add(std::move(tile), {.ratio = 16});
+    }
+    return made;
+  }();
+  return stack;
+}
+
+template <class Draw>
+void draw_plane(benchmark::State& state, Filter filter, const Draw& draw) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(state.range(0)));
+  static const StackPlanes planes = two_photographs().planes();
+  Perspective view;
+  view.width = 1200;
+  view.height = 800;
+  view.filter = filter;
+  for (auto _ : state) benchmark::DoNotOptimize(draw(planes, view));
+  state.SetItemsProcessed(state.iterations() * view.width * view.height);
+}
+
+void stack_plane(benchmark::State& state, Filter filter) {
+  draw_plane(state, filter, [](const StackPlanes& planes, const Perspective& view) {
+    return render_stack_perspective_rows(planes, nullptr, view, 0, view.height);
+  });
+}
+void stack_plane_plain(benchmark::State& state, Filter filter) {
+  draw_plane(state, filter, [](const StackPlanes& planes, const Perspective& view) {
+    return stack_perspective_frame(planes, nullptr, view);
+  });
+}
+BENCHMARK_CAPTURE(stack_plane, trilinear, Filter::trilinear)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(stack_plane_plain, trilinear, Filter::trilinear)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(stack_plane, anisotropic, Filter::anisotropic)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(stack_plane_plain, anisotropic, Filter::anisotropic)->Arg(1)->Arg(2)->UseRealTime();
+
+void stack_levels(benchmark::State& state) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(two_photographs().planes());
+}
+BENCHMARK(stack_levels)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace texbake
