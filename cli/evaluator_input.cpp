@@ -53,6 +53,7 @@ std::vector<StackScale> stack_input(const Bundle& bundle) {
     scales.push_back({evaluator_input(scale), pointer_to(scale.transfer)});
     scales.back().input.base = scale.exemplar;
   }
+  if (bundle.noise) scales.back().input = evaluator_input(bundle);
   return scales;
 }
 

@@ -13,7 +13,8 @@ EvaluatorInput evaluator_input(const Bundle& bundle);
 /// The same of any scale, without noise.
 EvaluatorInput evaluator_input(const Scale& scale);
 
-/// The same of all scales, coarse to fine. A stack draws exemplars: a scale of structure and noise as it was whole.
+/// The same of all scales, coarse to fine. A stack has noise in its finest scale alone: the others show their
+/// exemplars.
 std::vector<StackScale> stack_input(const Bundle& bundle);
 
 }  // namespace texbake

@@ -48,11 +48,8 @@ std::shared_ptr<const ReliefPlanes> relief_for(const Scale& coarsest, const Expo
 /// A page draws the relief of stacks; a tile with relief is a stack of one.
 bool is_stack(const Bundle& bundle, const ExportOptions& options) {
   if (bundle.scales.size() > 1) return true;
-  const bool is_asked = options.depth_px.value_or(0) > 0;
-  if (bundle.noise && is_asked)
-    throw Error(ErrorKind::usage, "--relief: expected a bundle without noise: relief is drawn without grain");
   const bool has_heights = bundle.scales.front().height.has_value() && options.depth_px.value_or(1) > 0;
-  return !bundle.noise && (is_asked || has_heights);
+  return has_heights || options.depth_px.value_or(0) > 0;
 }
 
 Outcome run(const Request& request, Console& console) {

@@ -6,6 +6,7 @@
 
 #include "cli/evaluator_input.h"
 #include "cli/option_json.h"
+#include "cli/provenance.h"
 #include "cli/running_stage.h"
 #include "libbake/eval/transfer_error.h"
 
@@ -50,18 +51,23 @@ int ratio_of(const std::string& text, size_t i, size_t count) {
   return static_cast<int>(parse_integer("ratio", field, parts[parts.size() == 1 ? 0 : i]));
 }
 
-void check_single(const NamedBundle& named, bool is_finest) {
-  if (named.bundle.noise && !is_finest)
-    throw Error(ErrorKind::unsupported,
-                fmt::format("{}: expected noise in the finest scale alone, found it in a coarser one: bake that one "
-                            "without the layer of noise",
-                            named.path));
+void check_single(const NamedBundle& named) {
   if (named.bundle.scales.size() == 1) return;
   throw Error(
       ErrorKind::bad_data,
       fmt::format("{}: expected a bundle of one scale, found a stack of {}: stack its scales and the others in one "
                   "call",
                   named.path, named.bundle.scales.size()));
+}
+
+/// A finer scale takes the place of the grain of a coarser one, from near; from afar it is in the exemplar.
+void drop_coarse_noise(NamedBundle& named, Console& console) {
+  if (!named.bundle.noise) return;
+  drop_stage(named.bundle, "estimate-psd");
+  console.warning(
+      fmt::format("{}: noise is drawn in the finest scale alone; the stack shows the exemplar of this one, and drops its "
+                  "noise",
+                  named.path));
 }
 
 /// Members of `from` go to `to`; two scales may not say different things under one name.
@@ -161,12 +167,10 @@ std::vector<std::string> scale_names(size_t count) {
 Bundle run_stack(std::vector<NamedBundle> bundles, const StackOptions& options, Console& console) {
   const std::vector<ScaleTransfer> transfers = transfers_of(options, bundles.size());
   const std::vector<std::string> names = scale_names(bundles.size());
-  for (const NamedBundle& named : bundles) check_single(named, &named == &bundles.back());
-  if (bundles.back().bundle.noise)
-    console.warning(
-        fmt::format("{}: the stack shows its exemplar as it is, grain and all; the layer of noise is kept, and "
-                    "not made anew while scales are drawn together",
-                    bundles.back().path));
+  for (NamedBundle& named : bundles) {
+    check_single(named);
+    if (&named != &bundles.back()) drop_coarse_noise(named, console);
+  }
   Bundle stack;
   for (size_t s = 0; s < bundles.size(); ++s) {
     add_scale(stack, bundles[s], names[s]);

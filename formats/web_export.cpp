@@ -131,7 +131,10 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
 }
 
 std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* relief) {
-  Json texture = {{"semantics", kSemantics}, {"scales", Json::array()}};
+  Json texture = {{"semantics", kSemantics},
+                  {"scales", Json::array()},
+                  {"noise_step", planes.noise_step},
+                  {"noise_log2", {planes.noise_log2.x, planes.noise_log2.y}}};
   for (int s = 0; s < planes.scale_count(); ++s) {
     const V2i size = planes.sizes[static_cast<size_t>(s)];
     const ScaleTransfer& transfer = planes.transfers[static_cast<size_t>(s)];
@@ -144,6 +147,8 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
   json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
   json["base"] = values_json(planes.base, is_half);
+  json["masks"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.masks);
+  json["noise_tiles"] = values_json(planes.noise_tiles, is_half);
   json["fragment_plane"] = plane_json<glsl::FragmentTexel>("RGBA16I", planes.fragment_plane);
   json["local_mean"] = plane_json<glsl::vec4>("RGBA32F", planes.local_mean);
   json["scale_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.scale_table);
@@ -151,6 +156,7 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
   json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
   json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
   json["base_levels"] = values_json(planes.base_levels, may_be_half);
+  json["level_weights"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.level_weights);
   json["fragment_shares"] = plane_json<glsl::ivec4>("RGBA32I", planes.fragment_shares);
   const Image<glsl::vec4> none(1, 1, {0, 0, 0, 0});
   json["height_plane"] = plane_json<glsl::vec4>("RGBA32F", relief ? relief->height_plane : none);

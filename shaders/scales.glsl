@@ -1,9 +1,9 @@
 // Several scales of one material, coarse to fine: the colour of a coarse texel passes to the fine fragments inside it.
-// Based on: Vanhoey et al. 2013, §6, eq. 5, Fig. 6. Needs sample.glsl and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
+// Based on: Vanhoey et al. 2013, §6, eq. 5, Fig. 6. Needs noise.glsl, levels.glsl and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
 //
 // One texture holds the planes of all scales, one below the other; `use_scale` says which of them the functions of
-// content.glsl and sample.glsl read: it sets tile_size, content_count, seed, plane_row and first_patch; `use_levels` says
-// the same to those of levels.glsl.
+// content.glsl, sample.glsl and noise.glsl read: it sets tile_size, content_count, seed, plane_row, first_patch and
+// noise_step; `use_levels` says the same to those of levels.glsl.
 
 // What scale_table says of a scale: its four texels.
 ivec4 scale_entry(int column, int scale) { return texelFetch(scale_table, ivec2(column, scale + 1), 0); }
@@ -19,6 +19,7 @@ void use_scale(int scale) {
   first_class = table.z;
   transfer_bits = table.w;
   first_level = (transfer_bits & 64) != 0 ? 0 : 1;
+  noise_step = scale == scale_count - 1 ? finest_noise_step : 0;
   seed = stack_seed + uint(scale_count - 1 - scale) * 2654435769u;
 }
 
@@ -149,7 +150,7 @@ struct Shown {
 };
 
 // What the patches of a texel on a soft border show there of `scale`, which is in use, whatever levels are. `alone` is what
-// its own patch shows, which is all of it elsewhere.
+// its own patch shows, which is all of it elsewhere. Of what a finer scale reads, which has no noise.
 vec4 shared_color(int scale, Texel at, float share, vec4 alone) {
   ivec4 lists = scale_entry(2, scale);
   uvec4 block = texelFetch(level_blocks, ivec2(at.p.x, at.p.y + lists.y), 0);
@@ -182,7 +183,7 @@ Shown shown_texel(int scale, Texel at, float variation) {
   if (scale > 0 || (transfer_bits & 32) != 0)
     labels = texelFetch(fragment_plane, ivec2(source.nearest.x, source.nearest.y + plane_row), 0);
   Shown shown;
-  shown.color = with_variation(source_value(base, source), labels.w, share);
+  shown.color = with_variation(layered_value(base, at, source), labels.w, share);
   if (first_level == 0) shown.color = shared_color(scale, at, share, shown.color);
   shown.giving = texelFetch(color_table, ivec2(first_class + labels.w, 1), 0).y;
   shown.taking = texelFetch(color_table, ivec2(first_class + labels.z, 1), 0).x;

@@ -3,6 +3,11 @@
 uniform usampler2D patch_plane;     // RG16UI
 uniform isampler2D contents;        // RGBA32I
 uniform sampler2D base;             // RGBA32F or RGBA16F
+uniform usampler2D masks;           // RGBA16UI  of the finest scale, as are the next two
+uniform sampler2D noise_tiles;      // RGBA32F or RGBA16F
+uniform usampler2D level_weights;   // RGBA16UI  of its values of base_levels, with their gains
+uniform ivec2 noise_log2;
+uniform int finest_noise_step;      // noise_step of the finest scale; 0 without noise
 uniform isampler2D fragment_plane;  // RGBA16I  way to the fragment's centre x, y; class of the fragment, of the texel
 uniform sampler2D local_mean;       // RGBA32F  where a scale subtracts a local mean
 uniform isampler2D scale_table;     // RGBA32I  row 0: centers as in bindings.glsl; then for each scale W, H, plane_row, first_patch;
@@ -19,7 +24,7 @@ uniform int scale_count;            // S
 uniform uint stack_seed;
 uniform uvec4 nesting[8];           // of each scale a repetition near what is drawn: x, y; where its corner lies in the
 uniform ivec2 nesting_offset[8];    // scale before it: the repetition z, w there, and texels of this scale inside it
-// Small tables share a texture: there are to be no more textures than every driver has.
+// Small tables share a texture: with relief there are 16, what every driver has.
 #define centers scale_table
 #define level_table scale_table
 // The scale in use.
@@ -28,6 +33,7 @@ int plane_row;
 int first_patch;
 uint content_count;
 uint seed;
+int noise_step;
 int ratio;
 int first_class;
 int transfer_bits;
@@ -44,10 +50,3 @@ int kept_scale = -1;
 uvec2 kept_tile;
 ivec2 kept_p;
 vec4 kept_color;
-// A stack has no noise beside its colours.
-const ivec2 noise_log2 = ivec2(0, 0);
-const int noise_step = 0;
-// What noise would read is not read, and takes no textures of its own: with relief there are 16, what every driver has.
-#define masks patch_plane
-#define noise_tiles base
-#define level_weights level_entries

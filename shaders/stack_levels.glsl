@@ -101,6 +101,8 @@ vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
   PRECISE vec4 whole = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   PRECISE vec4 dominant = whole;
   PRECISE vec4 taken = whole;
+  bool has_noise = noise_step != 0 && grid.noise >= 0 && share != 0.0f;
+  uvec4 weights = uvec4(0u, 0u, 0u, 0u);
   for (uint entry = found.x; entry <= end; ++entry) {
     if (entry > found.x) {
       uvec4 other = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
@@ -110,8 +112,10 @@ vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
     ivec2 place = ivec2(int(number & 4095u), int(number >> 12u));
     if (share != 0.0f) whole = whole + texelFetch(base_levels, ivec2(place.x, place.y + value_row), 0);
     if (share != 1.0f) dominant = dominant + texelFetch(base_levels, ivec2(place.x, place.y + dominant_row), 0);
+    if (has_noise) weights = weights + texelFetch(level_weights, place, 0);
     if (by_fragment) taken = taken + taken_by_fragments(scale, number, block.tile, share, coarser_share);
   }
+  if (has_noise) whole = with_noise(whole, weights, noise_level_place(middle_of(block, grid), grid.noise));
   vec4 own = share == 1.0f ? whole : share == 0.0f ? dominant : lerp(dominant, whole, share);
   if (scale > 0 && !by_fragment) {
     vec4 coarse = taken_as_whole(scale, block, grid, share, coarser_share);

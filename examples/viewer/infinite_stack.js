@@ -54,6 +54,8 @@ class InfiniteStack extends InfiniteTexture {
     const nesting = this.nestingNear(origin);
     gl.uniform1i(uniform('scale_count'), this.scales.length);
     gl.uniform1ui(uniform('stack_seed'), seed);
+    gl.uniform2iv(uniform('noise_log2'), this.texture.noise_log2);
+    gl.uniform1i(uniform('finest_noise_step'), this.texture.noise_step);
     gl.uniform4uiv(uniform('nesting'), nesting.tiles);
     gl.uniform2iv(uniform('nesting_offset'), nesting.offsets);
     this.setOrigin(uniform, {x: floorDivided(origin.x, texels), y: floorDivided(origin.y, texels)}, this.scales[view.scale].size);

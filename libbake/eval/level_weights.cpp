@@ -24,18 +24,24 @@ std::vector<vec4> means_of_noises(const EvaluatorPlanes& planes) {
   return means;
 }
 
+/// What a texel's own patch shows there with `content`.
+vec4 texel_weights(const EvaluatorPlanes& planes, V2i p, int content) {
+  glsl::Program program = program_of(planes, 0);
+  const glsl::PatchTexel& owned = planes.patch_plane(p.x, p.y);
+  const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
+  const glsl::Source source = program.source_of({{0, 0}, {p.x, p.y}}, decision);
+  const glsl::uvec4 weights = program.source_weights(source);
+  const vec4 of(static_cast<float>(weights.x), static_cast<float>(weights.y), static_cast<float>(weights.z),
+                static_cast<float>(weights.w));
+  const float gain = planes.noise_gain.empty() ? 1 : planes.noise_gain(source.nearest.x, source.nearest.y);
+  return of * (gain / kSteps);
+}
+
 }  // namespace
 
 Image<vec4> level_weights(const EvaluatorPlanes& planes, const LevelLists& lists) {
-  const auto texel_share = [&](V2i p, uint32_t k, int content) -> vec4 {
-    if (k > 0) return {0, 0, 0, 0};
-    glsl::Program program = program_of(planes, 0);
-    const glsl::PatchTexel& owned = planes.patch_plane(p.x, p.y);
-    const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
-    const glsl::uvec4 weights = program.source_weights(program.source_of({{0, 0}, {p.x, p.y}}, decision));
-    const vec4 of(static_cast<float>(weights.x), static_cast<float>(weights.y), static_cast<float>(weights.z),
-                  static_cast<float>(weights.w));
-    return of * (1 / kSteps);
+  const auto texel_share = [&](V2i p, uint32_t k, int content) {
+    return k > 0 ? vec4{0, 0, 0, 0} : texel_weights(planes, p, content);
   };
   Image<vec4> weights(kListWidth, list_rows(lists.count * static_cast<uint64_t>(planes.content_count)), {0, 0, 0, 0});
   LevelShares(lists, planes.content_count, weights, texel_share).fill();
@@ -59,6 +65,17 @@ void add_noise_means(const EvaluatorPlanes& planes, const Image<vec4>& weights, 
     const float weight[4] = {of.x, of.y, of.z, of.w};
     for (size_t k = 0; k < means.size(); ++k) values.data()[i] = values.data()[i] + means[k] * weight[k];
   }
+}
+
+void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, Image<vec4>& weights) {
+  const LevelList& texels = lists.lists[0];
+  for (int y = 0; y < texels.cover.size.y; ++y)
+    for (int x = 0; x < texels.cover.size.x; ++x) {
+      const size_t first = size_t{texels.first_at({x, y})} * static_cast<size_t>(planes.content_count);
+      if (first == 0) continue;
+      for (int content = 0; content < planes.content_count; ++content)
+        weights.data()[first + static_cast<size_t>(content)] = texel_weights(planes, {x, y}, content);
+    }
 }
 
 }  // namespace texbake

@@ -5,8 +5,9 @@
 
 namespace texbake {
 
-/// Means of the masks in every share of `lists`, 0 … 1 and premultiplied by the patch's cover, in the layout of values
-/// (level_shares.h). A texel has the weights of its own patch, even where borders are soft. `planes` have noises.
+/// Means of the masks in every share of `lists`, 0 … 1 and premultiplied by the patch's cover and by what `planes` have
+/// the noise multiplied with, in the layout of values (level_shares.h). A texel has the weights of its own patch, even
+/// where borders are soft. `planes` have noises.
 Image<glsl::vec4> level_weights(const EvaluatorPlanes& planes, const LevelLists& lists);
 
 /// The same in 1/2048, rounded to the nearest: those of a block may miss 2048 by a step for each share. As they are
@@ -15,5 +16,9 @@ Image<glsl::MaskTexel> in_steps(const Image<glsl::vec4>& weights);
 
 /// Adds to every share, and to the mean, the means of the noises times its weights.
 void add_noise_means(const EvaluatorPlanes& planes, const Image<glsl::vec4>& weights, Image<glsl::vec4>& values);
+
+/// Sets those of the texels that are several patches' where borders are soft. Their noise has its mean, that of blocks
+/// has not: to be added after the means.
+void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, Image<glsl::vec4>& weights);
 
 }  // namespace texbake

@@ -62,7 +62,7 @@ class TexelValues {
         vec4& share = value(first + static_cast<uint32_t>(i), content);
         share = (mean + (all - mean) * gain) * weights[i];
         // Beside colours stands what they take of a coarser scale, which has no detail.
-        if (plane_.kind == MapKind::plain) share.w = all.w * weights[i];
+        if (plane_.kind == MapKind::plain || plane_.kind == MapKind::structure) share.w = all.w * weights[i];
       }
   }
 
@@ -88,8 +88,9 @@ void add_values(const LevelLists& lists, Plane& plane, EvaluatorPlanes& planes) 
   texels.fill_soft_texels();
   LevelShares(lists, planes.content_count, values, texels).fill();
   if (plane.kind == MapKind::structure) {
-    const Image<vec4> weights = level_weights(planes, lists);
+    Image<vec4> weights = level_weights(planes, lists);
     add_noise_means(planes, weights, values);
+    add_texel_weights(planes, lists, weights);
     planes.level_weights = in_steps(weights);
   }
   plane.level_values = std::move(values);

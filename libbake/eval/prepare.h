@@ -94,6 +94,7 @@ struct EvaluatorPlanes {
   Image<glsl::LevelBlock> level_blocks;
   Image<glsl::PatchTexel> level_entries;
   Image<glsl::MaskTexel> level_weights;  ///< of the base's levels; one texel without noise, and until they are added
+  Image<float> noise_gain;               ///< what levels have the noise of each texel multiplied with; empty: 1
 
   Image<uint32_t> fragment_idx;  ///< empty without fragments
   Image<float> variation;        ///< empty without colours

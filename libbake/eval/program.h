@@ -39,6 +39,7 @@ struct Program {
   int value_row = 0;
 
   // A stack of scales.
+  int finest_noise_step = 0;
   fragment_sampler2D fragment_plane;
   sampler2D local_mean;
   isampler2D scale_table;

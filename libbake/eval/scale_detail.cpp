@@ -18,15 +18,39 @@ std::vector<V3f> dominant_colors(const StackScale& scale) {
   return colors;
 }
 
-Image<V3f> strong_base(const StackScale& scale) {
-  Image<V3f> base(scale.input.base.width(), scale.input.base.height());
-  for (int y = 0; y < base.height(); ++y)
-    for (int x = 0; x < base.width(); ++x) base(x, y) = scale.input.base(x, y) * scale.strength;
+namespace {
+
+Image<V3f> times(ImageView<const V3f> colors, const V3f& factor) {
+  Image<V3f> products(colors.width(), colors.height());
+  for (int y = 0; y < products.height(); ++y)
+    for (int x = 0; x < products.width(); ++x) products(x, y) = colors(x, y) * factor;
+  return products;
+}
+
+Imath::V3d mean_of(ImageView<const V3f> colors) {
+  Imath::V3d mean(0);
+  for (int y = 0; y < colors.height(); ++y) {
+    Imath::V3d row(0);
+    for (int x = 0; x < colors.width(); ++x) row += Imath::V3d(colors(x, y));
+    mean += row / (double{1} * colors.width() * colors.height());
+  }
+  return mean;
+}
+
+/// The base, with the means of the noises by their masks.
+Image<V3f> mean_base(const EvaluatorInput& input) {
+  Image<V3f> base = times(input.base, V3f(1));
+  if (!input.noise) return base;
+  for (size_t k = 0; k < input.noise->tiles.size(); ++k) {
+    const V3f mean(mean_of(input.noise->tiles[k]));
+    for (int y = 0; y < base.height(); ++y)
+      for (int x = 0; x < base.width(); ++x) base(x, y) += mean * input.noise->masks[k](x, y);
+  }
   return base;
 }
 
-Image<V3f> detail_of(const StackScale& scale) {
-  Image<V3f> detail = strong_base(scale);
+/// With the gains of the scale's classes.
+Image<V3f> gained(const StackScale& scale, Image<V3f> detail) {
   const bool gains = scale.transfer && scale.input.colors && !scale.transfer->detail_gains.empty();
   const std::vector<V3f> dominants = gains ? dominant_colors(scale) : std::vector<V3f>();
   if (!gains) return detail;
@@ -37,6 +61,28 @@ Image<V3f> detail_of(const StackScale& scale) {
       if (gain != 1.0f) detail(x, y) = dominants[k] + (detail(x, y) - dominants[k]) * gain;
     }
   return detail;
+}
+
+}  // namespace
+
+EvaluatorPlanes strong_planes(const StackScale& scale) {
+  EvaluatorInput input = scale.input;
+  input.maps.clear();        // a stack passes colours alone
+  input.soft_border_px = 0;  // their levels are made of the base with its gains
+  const Image<V3f> base = times(input.base, scale.strength);
+  input.base = base;
+  std::vector<Image<V3f>> noises;
+  if (input.noise) {
+    for (const auto& tile : input.noise->tiles) noises.push_back(times(tile, scale.strength));
+    input.noise->tiles.assign(noises.begin(), noises.end());
+  }
+  return prepare(input);
+}
+
+Image<V3f> detail_of(const StackScale& scale) { return gained(scale, times(scale.input.base, scale.strength)); }
+
+Image<V3f> mean_detail_of(const StackScale& scale) {
+  return gained(scale, times(mean_base(scale.input), scale.strength));
 }
 
 Image<V3f> dominant_of(const StackScale& scale) {
@@ -86,26 +132,12 @@ Image<glsl::FragmentTexel> fragment_plane(const StackScale& scale) {
   return plane;
 }
 
-namespace {
-
-Imath::V3d mean_of(const ImageView<const V3f>& base) {
-  Imath::V3d mean(0);
-  for (int y = 0; y < base.height(); ++y) {
-    Imath::V3d row(0);
-    for (int x = 0; x < base.width(); ++x) row += Imath::V3d(base(x, y));
-    mean += row / (double{1} * base.width() * base.height());
-  }
-  return mean;
-}
-
-}  // namespace
-
 void set_strengths(std::vector<StackScale>& scales) {
   constexpr double kMost = 16;  // as of gains
   for (StackScale& scale : scales) {
     scale.strength = V3f(1);
     if (!scale.transfer || scale.transfer->detail == DetailStrength::absolute) continue;
-    const Imath::V3d coarse = mean_of(scales.front().input.base), own = mean_of(scale.input.base);
+    const Imath::V3d coarse = mean_of(mean_base(scales.front().input)), own = mean_of(mean_base(scale.input));
     for (int c = 0; c < 3; ++c)
       scale.strength[c] = static_cast<float>(coarse[c] < kMost * own[c] ? std::max(coarse[c], 0.0) / own[c] : kMost);
   }

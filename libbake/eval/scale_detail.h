@@ -22,11 +22,14 @@ inline glsl::vec4 texel_of(const V3f& color) { return {color.x, color.y, color.z
 /// Dominant colours of the classes, linear Rec.709, times the scale's strength; empty where there are none.
 std::vector<V3f> dominant_colors(const StackScale& scale);
 
-/// The base times the scale's strength.
-Image<V3f> strong_base(const StackScale& scale);
+/// What the evaluator binds of the scale by itself, base and noise times its strength; with hard borders.
+EvaluatorPlanes strong_planes(const StackScale& scale);
 
-/// That with the gains of its classes.
+/// The base times the scale's strength, with the gains of its classes. Of a scale with noise, the structure.
 Image<V3f> detail_of(const StackScale& scale);
+
+/// The same with the mean of its noises: what the tile shows on the average over all places of the grain.
+Image<V3f> mean_detail_of(const StackScale& scale);
 
 /// The dominant colour of each texel, which is what is left without variation; the base where there are no classes.
 Image<V3f> dominant_of(const StackScale& scale);

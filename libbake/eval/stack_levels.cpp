@@ -32,6 +32,17 @@ Image<float> taking_of(const StackScale& scale) {
   return taking;
 }
 
+/// What the variation of each texel is multiplied with; empty: 1.
+Image<float> gain_of(const StackScale& scale) {
+  Image<float> gain;
+  if (!scale.transfer || scale.transfer->detail_gains.empty()) return gain;
+  const V2i size = size_of(scale);
+  gain = Image<float>(size.x, size.y);
+  for (size_t i = 0; i < gain.size(); ++i)
+    gain.data()[i] = scale.transfer->detail_gains[scale.input.colors->index.data()[i]];
+  return gain;
+}
+
 /// The planes of one scale with the levels that it needs in a stack.
 struct LeveledScale {
   EvaluatorPlanes planes;     ///< base: with its gains; map 0: the dominant colours, where they are read
@@ -47,13 +58,10 @@ bool has_dominants(const std::vector<StackScale>& scales, size_t s) {
 }
 
 LeveledScale leveled(const StackScale& scale, bool with_dominants) {
-  EvaluatorInput input = scale.input;
-  input.maps.clear();
-  input.noise.reset();
-  input.soft_border_px = 0;  // not yet: levels are those of the base with its gains
-  LeveledScale leveled{prepare(input), {}, 0};
+  LeveledScale leveled{strong_planes(scale), {}, 0};
   EvaluatorPlanes& planes = leveled.planes;
   planes.soft_border_px = soft_border_of(scale);
+  planes.noise_gain = gain_of(scale);
   const Image<float> taking = taking_of(scale);
   set_texels(planes.base, detail_of(scale), taking);
   if (with_dominants) {
@@ -122,13 +130,14 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   stack.level_blocks = stacked(blocks, glsl::LevelBlock{});
   stack.level_entries = stacked(entries, glsl::PatchTexel{});
   stack.base_levels = stacked(values, glsl::vec4{0, 0, 0, 0});
+  stack.level_weights = std::move(leveled_scales.back().planes.level_weights);
   stack.fragment_shares = stacked(shares, glsl::ivec4{0, 0, 0, 0});
 }
 
 StackLevelMemory level_memory(const StackPlanes& stack) {
-  return {stack.base_levels.size() * sizeof(glsl::vec4), stack.level_blocks.size() * sizeof(glsl::LevelBlock) +
-                                                             stack.level_entries.size() * sizeof(glsl::PatchTexel) +
-                                                             stack.fragment_shares.size() * sizeof(glsl::ivec4)};
+  return {stack.base_levels.size() * sizeof(glsl::vec4) + stack.level_weights.size() * sizeof(glsl::MaskTexel),
+          stack.level_blocks.size() * sizeof(glsl::LevelBlock) + stack.level_entries.size() * sizeof(glsl::PatchTexel) +
+              stack.fragment_shares.size() * sizeof(glsl::ivec4)};
 }
 
 }  // namespace texbake

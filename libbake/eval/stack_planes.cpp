@@ -71,13 +71,8 @@ Image<T> table_of(const std::vector<std::vector<T>>& rows, T empty) {
 class StackBuilder {
  public:
   void add(const StackScale& scale, const ScaleTransfer* finer) {
-    EvaluatorInput input = scale.input;
-    input.maps.clear();  // a stack passes colours alone
-    check_soft_border_fits(input.soft_border_px, size_of(scale));
-    input.soft_border_px = 0;  // their levels come later
-    const Image<V3f> base = strong_base(scale);
-    input.base = base;
-    planes_.push_back(prepare(input));
+    check_soft_border_fits(scale.input.soft_border_px, size_of(scale));
+    planes_.push_back(strong_planes(scale));
     const EvaluatorPlanes& own = planes_.back();
     const ScaleTransfer transfer = scale.transfer ? *scale.transfer : ScaleTransfer{};
     fragments_.push_back(fragment_plane(scale));
@@ -111,6 +106,11 @@ class StackBuilder {
     stack_.base = stacked(bases, kNothing);
     stack_.fragment_plane = stacked(pointers_to(fragments_), glsl::FragmentTexel{});
     stack_.local_mean = stacked_local_means();
+    EvaluatorPlanes& finest = planes_.back();
+    stack_.noise_log2 = finest.noise_log2;
+    stack_.noise_step = finest.noise_step;
+    stack_.masks = std::move(finest.masks);
+    stack_.noise_tiles = std::move(finest.noise_tiles);
     stack_.scale_table = table_of(scales_, glsl::ivec4{0, 0, 0, 0});
     stack_.color_table = table_of(colors_, kNothing);
     return std::move(stack_);
@@ -120,7 +120,7 @@ class StackBuilder {
   const glsl::vec4 kNothing{0, 0, 0, 0};
 
   void add_means(const StackScale& scale, const ScaleTransfer& transfer) {
-    const Image<V3f> detail = detail_of(scale);
+    const Image<V3f> detail = mean_detail_of(scale);
     const TileMeans means = tile_means(scale, detail);
     colors_.push_back({texel_of(means.dominant), texel_of(means.whole)});
     const bool is_local = scale.transfer && transfer.detail_mean == DetailMean::local;
@@ -179,7 +179,11 @@ StackPlanes prepare_stack(const std::vector<StackScale>& given) {
   std::vector<StackScale> scales = given;
   if (scales.empty() || scales.size() > kMaxScales)
     throw Error(ErrorKind::bad_data, fmt::format("expected 1 to {} scales, found {}", kMaxScales, scales.size()));
-  for (size_t s = 1; s < scales.size(); ++s) check_transfer(scales[s - 1], scales[s]);
+  for (size_t s = 1; s < scales.size(); ++s) {
+    if (scales[s - 1].input.noise)
+      throw Error(ErrorKind::bad_data, "expected noise in the finest scale alone, found it in a coarser one");
+    check_transfer(scales[s - 1], scales[s]);
+  }
   set_strengths(scales);
   StackBuilder builder;
   for (size_t s = 0; s < scales.size(); ++s)
@@ -214,6 +218,10 @@ glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 r
   program.patch_plane = sampler_of(planes.patch_plane);
   program.contents = sampler_of(planes.contents);
   program.base = sampler_of(planes.base);
+  program.masks = sampler_of(planes.masks);
+  program.noise_tiles = sampler_of(planes.noise_tiles);
+  program.noise_log2 = {planes.noise_log2.x, planes.noise_log2.y};
+  program.finest_noise_step = planes.noise_step;
   program.fragment_plane = sampler_of(planes.fragment_plane);
   program.local_mean = sampler_of(planes.local_mean);
   program.scale_table = program.centers = program.level_table = sampler_of(planes.scale_table);
@@ -221,6 +229,7 @@ glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 r
   program.level_blocks = sampler_of(planes.level_blocks);
   program.level_entries = sampler_of(planes.level_entries);
   program.base_levels = sampler_of(planes.base_levels);
+  program.level_weights = sampler_of(planes.level_weights);
   program.fragment_shares = sampler_of(planes.fragment_shares);
   program.scale_count = planes.scale_count();
   program.stack_seed = seed;

@@ -13,7 +13,7 @@ namespace texbake {
 
 /// One scale, coarse to fine.
 struct StackScale {
-  EvaluatorInput input;
+  EvaluatorInput input;                     ///< noise: of the finest scale alone
   const ScaleTransfer* transfer = nullptr;  ///< nullptr for the coarsest alone
   V3f strength{1};                          ///< what its colours are multiplied with: set_strengths
 };
@@ -31,12 +31,17 @@ struct StackPlanes {
   Image<glsl::vec4> base;
   Image<glsl::FragmentTexel> fragment_plane;
   Image<glsl::vec4> local_mean;
+  V2i noise_log2{0, 0};  ///< this and the next three: of the finest scale, as in EvaluatorPlanes
+  int noise_step = 0;
+  Image<glsl::MaskTexel> masks;
+  Image<glsl::vec4> noise_tiles;
   Image<glsl::ivec4> scale_table;  ///< with the centres of patches; add_levels appends the tables of levels
   Image<glsl::vec4> color_table;
   /// This and what follows: empty until add_levels (stack_levels.h), if borders are hard.
   Image<glsl::LevelBlock> level_blocks;
   Image<glsl::PatchTexel> level_entries;
   Image<glsl::vec4> base_levels;
+  Image<glsl::MaskTexel> level_weights;  ///< of the finest scale; one texel without noise
   Image<glsl::ivec4> fragment_shares;
 
   int scale_count() const { return static_cast<int>(sizes.size()); }
@@ -50,9 +55,9 @@ struct StackPlanes {
   int64_t texels_in(int scale) const;
 };
 
-/// Throws Error(bad_data) where prepare does, for more than kMaxScales scales, a scale without fragments or colours
-/// beside others, a ratio out of range, lists of weights of another length than the palette, or a tile that is larger
-/// than that of the coarser scale: the scales are then in the wrong order.
+/// Throws Error(bad_data) where prepare does, for more than kMaxScales scales, noise in a scale that is not the finest,
+/// a scale without fragments or colours beside others, a ratio out of range, lists of weights of another length than
+/// the palette, or a tile that is larger than that of the coarser scale: the scales are then in the wrong order.
 StackPlanes prepare_stack(const std::vector<StackScale>& scales);
 
 /// Throws Error(bad_data) unless `fine` can follow `coarse` with `transfer`; a part of prepare_stack that costs

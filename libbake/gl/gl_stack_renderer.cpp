@@ -33,7 +33,7 @@ struct GlStackRenderer::State {
   const ReliefPlanes flat{};
   const ReliefPlanes& relief;
   GlProgram program;
-  std::array<Bound, 13> textures;
+  std::array<Bound, 16> textures;
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
 
@@ -46,6 +46,8 @@ struct GlStackRenderer::State {
         textures{{{"patch_plane", upload(gl, kRg16ui, stack.patch_plane)},
                   {"contents", upload(gl, kRgba32i, stack.contents)},
                   {"base", upload(gl, kRgba32f, stack.base)},
+                  {"masks", upload(gl, kRgba16ui, stack.masks)},
+                  {"noise_tiles", upload(gl, kRgba32f, stack.noise_tiles)},
                   {"fragment_plane", upload(gl, kRgba16i, stack.fragment_plane)},
                   {"local_mean", upload(gl, kRgba32f, stack.local_mean)},
                   {"scale_table", upload(gl, kRgba32i, stack.scale_table)},
@@ -53,6 +55,7 @@ struct GlStackRenderer::State {
                   {"level_blocks", upload(gl, kRg32ui, stack.level_blocks)},
                   {"level_entries", upload(gl, kRg16ui, stack.level_entries)},
                   {"base_levels", upload(gl, kRgba32f, stack.base_levels)},
+                  {"level_weights", upload(gl, kRgba16ui, stack.level_weights)},
                   {"fragment_shares", upload(gl, kRgba32i, stack.fragment_shares)},
                   {"height_plane", upload(gl, kRgba32f, relief.height_plane)},
                   {"height_levels", upload(gl, kRgba32f, relief.height_levels)}}} {
@@ -74,6 +77,8 @@ struct GlStackRenderer::State {
     const Nesting nesting = nesting_at(planes, reference);
     gl.Uniform1i(program.uniform("scale_count"), planes.scale_count());
     gl.Uniform1ui(program.uniform("stack_seed"), seed);
+    gl.Uniform2i(program.uniform("noise_log2"), planes.noise_log2.x, planes.noise_log2.y);
+    gl.Uniform1i(program.uniform("finest_noise_step"), planes.noise_step);
     gl.Uniform4uiv(program.uniform("nesting"), kMaxScales, &nesting.tiles[0].x);
     gl.Uniform2iv(program.uniform("nesting_offset"), kMaxScales, &nesting.offsets[0].x);
     gl.Uniform2ui(program.uniform("origin_tile"), x.tile, y.tile);

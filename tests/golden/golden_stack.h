@@ -36,7 +36,8 @@ struct GoldenStack {
   std::vector<GoldenStackPoint> points;
 };
 
-inline const char* const kGoldenStackNames[] = {"stack", "stack_turned", "stack_three", "stack_soft", "stack_relief"};
+inline const char* const kGoldenStackNames[] = {"stack",        "stack_turned", "stack_three",     "stack_soft",
+                                                "stack_relief", "stack_noise",  "stack_noise_soft"};
 
 inline ScaleTile golden_scale(const nlohmann::json& json) {
   const V2i size(json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>());
@@ -60,6 +61,10 @@ inline ScaleTile golden_scale(const nlohmann::json& json) {
   scale.tile.soft_border_px = json.value("soft_border", 0);
   scale.tile.patches = golden_patches(json, size);
   scale.tile.contents = golden_contents(json, scale.tile.patches.partition.count());
+  GoldenNoise noise = golden_noise(json, size);
+  scale.tile.masks = std::move(noise.masks);
+  scale.tile.noises = std::move(noise.noises);
+  scale.tile.noise_step = noise.step;
   return scale;
 }
 

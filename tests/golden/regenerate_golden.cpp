@@ -286,11 +286,22 @@ bool write_stacks(const std::string& folder) {
   soft.add(random_scale({16, 16}, 3, Contents::moved, 116));
   soft.add(random_scale({32, 32}, 4, Contents::turned, 117), {.ratio = 4, .weights = {0.5f, 1}});
   for (ScaleTile& scale : soft.tiles) scale.tile.soft_border_px = 2;
+  SmallStack noise, soft_noise;
+  noise.add(random_scale({16, 16}, 3, Contents::moved, 118));
+  noise.add(random_scale({32, 32}, 3, Contents::turned, 119),
+            {.ratio = 6, .detail_mean = DetailMean::local, .weights = {0.75f, 0.5f}, .detail_gains = {0.5f, 1.5f}});
+  add_noise(noise.tiles.back().tile, 3, 32, 119);
+  soft_noise.add(random_scale({16, 16}, 3, Contents::moved, 120));
+  soft_noise.add(random_scale({16, 32}, 3, Contents::turned, 121), {.ratio = 4});
+  add_noise(soft_noise.tiles.back().tile, 2, 16, 121);
+  for (ScaleTile& scale : soft_noise.tiles) scale.tile.soft_border_px = 2;
   const auto done = [&](const char* name, const std::string& text) { return write(folder + "/" + name, text); };
   bool all = done("stack.json", stack_text_of(two));
   all = done("stack_turned.json", stack_text_of(turned)) && all;
   all = done("stack_three.json", stack_text_of(three)) && all;
   all = done("stack_soft.json", stack_text_of(soft)) && all;
+  all = done("stack_noise.json", stack_text_of(noise)) && all;
+  all = done("stack_noise_soft.json", stack_text_of(soft_noise)) && all;
   return done("stack_relief.json", stack_text_of(relief, &heights)) && all;
 }
 

@@ -13,7 +13,7 @@ mkdir -p "$work"
 if [ ! -d "$work/node_modules/playwright-core" ]; then
   npm install --silent --no-audit --no-fund --no-save --prefix "$work" playwright-core@1 >&2 || skip "playwright-core could not be installed"
 fi
-for tile in plain moved turned levels noise_levels stack stack_turned stack_three stack_soft stack_relief; do
+for tile in plain moved turned levels noise_levels stack stack_turned stack_three stack_soft stack_relief stack_noise; do
   rm -rf "${work:?}/$tile"
   "$write" "$tile" "$work/$tile"
 done

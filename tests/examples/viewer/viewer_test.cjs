@@ -162,7 +162,7 @@ async function main() {
   const browser = await chromium.launch({executablePath, args: kSwitches});
   try {
     for (const tile of ['plain', 'moved', 'turned', 'levels', 'noise_levels', 'stack', 'stack_turned',
-                        'stack_three', 'stack_soft', 'stack_relief']) await checkGolden(browser, tile);
+                        'stack_three', 'stack_soft', 'stack_relief', 'stack_noise']) await checkGolden(browser, tile);
     await checkHandling(browser);
     await checkScales(browser);
     await checkRelief(browser);

@@ -13,7 +13,9 @@ class LevelPainter {
   using V4f = Imath::V4f;
 
  public:
-  LevelPainter(const SmallTile& tile, uint32_t seed) : tile_(tile), painter_(tile, seed) {}
+  /// `noise_gain`: what the noise of each texel of the tile is multiplied with; empty: 1.
+  LevelPainter(const SmallTile& tile, uint32_t seed, Image<float> noise_gain = {})
+      : tile_(tile), painter_(tile, seed), noise_gain_(std::move(noise_gain)) {}
 
   /// The point in 1/256 texel from the infinite texture's origin, between two levels, level_256 / 256 being at most the
   /// tile's last.
@@ -38,7 +40,7 @@ class LevelPainter {
     for (const Shape& shape : shapes(painting, {0, 0}, side, {})) {
       const auto structure = [&](V2i p) { return V4f(painting.structure(p.x, p.y)); };
       const V4f shown = share(painting, shape, {0, 0}, side, structure);
-      const V4f weights = share(painting, shape, {0, 0}, side, [&](V2i p) { return painting.weights(p.x, p.y); });
+      const V4f weights = share(painting, shape, {0, 0}, side, [&](V2i p) { return gained(painting, p); });
       V3f value(shown.x, shown.y, shown.z);
       for (size_t k = 0; k < tile_.noises.size(); ++k) {
         const float weight = weights[static_cast<int>(k)];
@@ -115,6 +117,11 @@ class LevelPainter {
     return V4f(sum / 4.0);
   }
 
+  V4f gained(const Painting& painting, V2i p) const {
+    const V2i source = painting.source(p.x, p.y);
+    return painting.weights(p.x, p.y) * (noise_gain_.empty() ? 1 : noise_gain_(source.x, source.y));
+  }
+
   double noise_mean(size_t k, int channel) const {
     double sum = 0;
     for (const V3f& c : tile_.noises[k]) sum += double{c[channel]};
@@ -143,6 +150,7 @@ class LevelPainter {
 
   const SmallTile& tile_;
   Painter painter_;
+  Image<float> noise_gain_;
 };
 
 }  // namespace texbake

@@ -112,18 +112,6 @@ class Painter {
     return weights;
   }
 
-  /// Noises at the texel (x, y) of the infinite texture. Products are exact in double.
-  void add_noise(V3f& color, const Imath::V4f& weights, int64_t x, int64_t y) const {
-    for (size_t k = 0; k < tile_.noises.size(); ++k) {
-      const auto weight = static_cast<double>(weights[static_cast<int>(k)]);
-      const Image<V3f>& noise = tile_.noises[k];
-      const V3f& value = noise.data()[noise_number(noise, x, y)];
-      for (int channel = 0; channel < 3; ++channel)
-        color[channel] =
-            static_cast<float>(static_cast<double>(color[channel]) + weight * static_cast<double>(value[channel]));
-    }
-  }
-
   double content_weight(const Image<float>& mask, const Content& content, V2i c, V2i d) const {
     const double x = (double{1} * content.a * d.x - double{1} * content.b * d.y) / 65536;
     const double y = (double{1} * content.b * d.x + double{1} * content.a * d.y) / 65536;
@@ -138,6 +126,18 @@ class Painter {
   }
 
  public:
+  /// Noises at the texel (x, y) of the infinite texture. Products are exact in double.
+  void add_noise(V3f& color, const Imath::V4f& weights, int64_t x, int64_t y) const {
+    for (size_t k = 0; k < tile_.noises.size(); ++k) {
+      const auto weight = static_cast<double>(weights[static_cast<int>(k)]);
+      const Image<V3f>& noise = tile_.noises[k];
+      const V3f& value = noise.data()[noise_number(noise, x, y)];
+      for (int channel = 0; channel < 3; ++channel)
+        color[channel] =
+            static_cast<float>(static_cast<double>(color[channel]) + weight * static_cast<double>(value[channel]));
+    }
+  }
+
   V2i nearest_source(const Content& content, V2i c, int dx, int dy) const {
     const double x = (double{1} * content.a * dx - double{1} * content.b * dy) / 65536;
     const double y = (double{1} * content.b * dx + double{1} * content.a * dy) / 65536;

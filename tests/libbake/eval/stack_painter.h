@@ -76,7 +76,7 @@ class StackPainter {
     const int side = 1 << level;
     if (level == 0) return texel(finest(), x, y, variation);
     const ScaleData& scale = scales_.back();
-    const V3f own = scale.whole.shares(x, y, side), dominant = scale.dominant.shares(x, y, side);
+    const V3f own = scale.whole.block(x, y, level), dominant = scale.dominant.shares(x, y, side);
     V3f taken(0);
     for (const std::vector<V2i>& patch : scale.whole.patches_of(x, y, side)) {
       V3f sum(0);
@@ -112,7 +112,9 @@ class StackPainter {
     SmallTile gained_tile, dominant_tile;
     Painter painter;
     LevelPainter whole, dominant;
-    V3f mean_of_dominants{0}, mean_of_all{0};
+    V3f mean_of_dominants{0};
+    Image<V3f> mean_base;  ///< with its gains; of the noises their means
+    V3f mean_of_all{0};
     Image<V3f> smooth_whole{}, smooth_dominant{};  ///< without detail, where borders are soft
     std::vector<float> giving = {};
 
@@ -120,13 +122,17 @@ class StackPainter {
         : tile(t),
           transfer(how),
           dominants(dominants_of(t)),
-          gained_tile(with_base(t.tile, gained(t, how, dominants))),
+          gained_tile(with_base(t.tile, gained(t, how, dominants, t.tile.base))),
           dominant_tile(with_base(t.tile, dominant_base(t, dominants))),
           painter(t.tile, seed),
-          whole(gained_tile, seed),
+          whole(gained_tile, seed, gains(t, how)),
           dominant(dominant_tile, seed),
           mean_of_dominants(mean(dominant_tile.base)),
-          mean_of_all(mean(gained_tile.base)) {
+          mean_base(gained(t, how, dominants, with_noise_means(t.tile))),
+          mean_of_all(mean(mean_base)) {
+      gained_tile.masks = copies(t.tile.masks);
+      gained_tile.noises = copies(t.tile.noises);
+      gained_tile.noise_step = t.tile.noise_step;
       if (t.tile.soft_border_px == 0) return;
       smooth_whole = smooth(gained_tile.base, t.tile.soft_border_px);
       smooth_dominant = smooth(dominant_tile.base, t.tile.soft_border_px);
@@ -169,8 +175,28 @@ class StackPainter {
   static V3f varied(const V3f& dominant, const V3f& color, float kept) {
     return kept == 1 ? color : dominant + (color - dominant) * kept;
   }
-  static Image<V3f> gained(const ScaleTile& t, const ScaleTransfer& how, const std::vector<V3f>& dominants) {
-    Image<V3f> base = t.tile.base.clone();
+  template <class T>
+  static std::vector<Image<T>> copies(const std::vector<Image<T>>& images) {
+    std::vector<Image<T>> all;
+    for (const Image<T>& image : images) all.push_back(image.clone());
+    return all;
+  }
+  static Image<float> gains(const ScaleTile& t, const ScaleTransfer& how) {
+    Image<float> gains(t.tile.base.width(), t.tile.base.height());
+    for (size_t i = 0; i < gains.size(); ++i) gains.data()[i] = entry(how.detail_gains, t.colors.index.data()[i]);
+    return gains;
+  }
+  static Image<V3f> with_noise_means(const SmallTile& tile) {
+    Image<V3f> base = tile.base.clone();
+    for (size_t k = 0; k < tile.noises.size(); ++k) {
+      const V3f noise = mean(tile.noises[k]);
+      for (size_t i = 0; i < base.size(); ++i) base.data()[i] += noise * tile.masks[k].data()[i];
+    }
+    return base;
+  }
+  static Image<V3f> gained(const ScaleTile& t, const ScaleTransfer& how, const std::vector<V3f>& dominants,
+                           const Image<V3f>& of) {
+    Image<V3f> base = of.clone();
     for (size_t i = 0; i < base.size(); ++i) {
       const uint8_t k = t.colors.index.data()[i];
       base.data()[i] = varied(dominants[k], base.data()[i], entry(how.detail_gains, k));
@@ -199,7 +225,7 @@ class StackPainter {
     for (int dy = 0; dy < ratio; ++dy)
       for (int dx = 0; dx < ratio; ++dx) {
         const V2i at = wrap(middle + V2i(dx - ratio / 2, dy - ratio / 2), n);
-        sum += Imath::V3d(scale.gained_tile.base(at.x, at.y));
+        sum += Imath::V3d(scale.mean_base(at.x, at.y));
       }
     return V3f(sum / (double{1} * ratio * ratio)) + (all - scale.mean_of_all);
   }
@@ -247,10 +273,21 @@ class StackPainter {
       }
       return sum;
     };
-    const V3f whole = sum_of(scale.gained_tile.base, scale.smooth_whole);
+    V3f whole = sum_of(scale.gained_tile.base, scale.smooth_whole);
+    scale.painter.add_noise(whole, gained_weights(scale, x, y), x, y);
     if (variation == 1) return whole;
     const V3f dominant = sum_of(scale.dominant_tile.base, scale.smooth_dominant);
     return variation == 0 ? dominant : dominant + (whole - dominant) * variation;
+  }
+
+  /// Of the noises at a texel, by its own patch: with its gain, in 1/2048.
+  static Imath::V4f gained_weights(const ScaleData& scale, int64_t x, int64_t y) {
+    const Painting own = scale.painter.paint(x, y, 1, 1);
+    const V2i source = own.source(0, 0);
+    const float gain = entry(scale.transfer.detail_gains, scale.tile.colors.index(source.x, source.y));
+    Imath::V4f weights;
+    for (int k = 0; k < 4; ++k) weights[k] = std::round(own.weights(0, 0)[k] * gain * 2048) / 2048;
+    return weights;
   }
 
   static V2i way_from(const ScaleData& scale, int64_t x, int64_t y, const Entry& entry) {

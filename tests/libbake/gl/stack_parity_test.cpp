@@ -60,6 +60,22 @@ TEST_P(StackParity, SoftBordersDifferInNoBit) {
   }
 }
 
+TEST_P(StackParity, NoiseDiffersInNoBit) {
+  const std::pair<TransferMode, int> kinds[] = {
+      {TransferMode::fragment, 0}, {TransferMode::fragment, 2}, {TransferMode::texel, 2}, {TransferMode::bilinear, 0}};
+  for (const auto& [mode, border_px] : kinds) {
+    SmallStack stack = two_scales({.ratio = 6,
+                                   .mode = mode,
+                                   .detail_mean = DetailMean::local,
+                                   .detail = DetailStrength::relative,
+                                   .detail_gains = {0.5f, 1.75f}},
+                                  Contents::turned);
+    add_noise(stack.tiles.back().tile, 4, 16, 10);
+    for (ScaleTile& scale : stack.tiles) scale.tile.soft_border_px = border_px;
+    expect_equal(stack, 12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Languages, StackParity,
                          testing::Values(ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es));
 
