@@ -113,23 +113,37 @@ void warn_of_black(const ScaleTransfer& transfer, double share, const std::strin
                   scale, 100 * share));
 }
 
+/// Planes of `stack` that can show either mean of every scale.
+StackPlanes planes_with_local_means(const Bundle& stack) {
+  std::vector<StackScale> scales = stack_input(stack);
+  std::vector<ScaleTransfer> transfers(scales.size());
+  for (size_t s = 1; s < scales.size(); ++s) {
+    transfers[s] = *scales[s].transfer;
+    transfers[s].detail_mean = DetailMean::local;
+    scales[s].transfer = &transfers[s];
+  }
+  return prepare_stack(scales);
+}
+
 /// Eq. 4, for both means that a stack may subtract.
-Json figures_of(Bundle& stack, Console& console) {
+Json figures_of(const Bundle& stack, Console& console) {
   constexpr int kMostFineTexels = 768;  // along each axis: time stays small for any ratio
+  StackPlanes planes = planes_with_local_means(stack);
+  const auto chosen = [&](size_t s) { return stack.scales[s].transfer->detail_mean; };
+  for (size_t s = 1; s < stack.scales.size(); ++s) set_detail_mean(planes, static_cast<int>(s), chosen(s));
   Json list = Json::array();
   for (size_t s = 1; s < stack.scales.size(); ++s) {
-    ScaleTransfer& transfer = *stack.scales[s].transfer;
-    const int side = std::clamp(kMostFineTexels / transfer.ratio, 1, 48);
+    const ScaleTransfer& transfer = *stack.scales[s].transfer;
+    const int scale = static_cast<int>(s), side = std::clamp(kMostFineTexels / transfer.ratio, 1, 48);
     Json figures = {{"scale", stack.scales[s].name}, {"coarseTexels", side * side}};
-    const DetailMean chosen = transfer.detail_mean;
     double below_black = 0;
     for (const DetailMean mean : {DetailMean::tile, DetailMean::local}) {
-      transfer.detail_mean = mean;
-      const TransferError error = transfer_error(prepare_stack(stack_input(stack)), static_cast<int>(s), side);
+      set_detail_mean(planes, scale, mean);
+      const TransferError error = transfer_error(planes, scale, side);
       figures[mean == DetailMean::tile ? "violationTileMean" : "violationLocalMean"] = error_json(error);
-      if (mean == chosen) below_black = error.below_black;
+      if (mean == chosen(s)) below_black = error.below_black;
     }
-    transfer.detail_mean = chosen;
+    set_detail_mean(planes, scale, chosen(s));
     list.push_back(figures);
     warn_of_black(transfer, below_black, stack.scales[s].name, console);
   }

@@ -2,11 +2,12 @@
 // (x + 0.5, y + 0.5). An exemplar is a torus: texel (width, y) is texel (0, y).
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace texbake {
 
@@ -54,30 +55,36 @@ template <class T>
 class Image {
  public:
   Image() = default;
-  Image(int width, int height, const T& value = zero_pixel<T>())
-      : pixels_(static_cast<size_t>(width) * static_cast<size_t>(height), value), width_(width), height_(height) {}
+  Image(int width, int height, const T& value = zero_pixel<T>()) : Image(unset(width, height)) {
+    std::fill(begin(), end(), value);
+  }
+  /// Pixels that mean nothing until they are written, all of them. Memory is taken by the threads that write it.
+  static Image unset(int width, int height) {
+    Image image;
+    image.pixels_ = std::make_unique_for_overwrite<T[]>(static_cast<size_t>(width) * static_cast<size_t>(height));
+    image.width_ = width;
+    image.height_ = height;
+    return image;
+  }
   Image(Image&& other) noexcept { *this = std::move(other); }
   Image& operator=(Image&& other) noexcept {
     pixels_ = std::move(other.pixels_);
     width_ = std::exchange(other.width_, 0);
     height_ = std::exchange(other.height_, 0);
-    other.pixels_.clear();
     return *this;
   }
   Image clone() const {
-    Image copy;
-    copy.pixels_ = pixels_;
-    copy.width_ = width_;
-    copy.height_ = height_;
+    Image copy = unset(width_, height_);
+    std::copy(begin(), end(), copy.begin());
     return copy;
   }
 
   int width() const { return width_; }
   int height() const { return height_; }
-  size_t size() const { return pixels_.size(); }
-  bool empty() const { return pixels_.empty(); }
-  T* data() { return pixels_.data(); }
-  const T* data() const { return pixels_.data(); }
+  size_t size() const { return view().size(); }
+  bool empty() const { return size() == 0; }
+  T* data() { return pixels_.get(); }
+  const T* data() const { return pixels_.get(); }
   T* row(int y) { return data() + static_cast<size_t>(y) * static_cast<size_t>(width_); }
   const T* row(int y) const { return data() + static_cast<size_t>(y) * static_cast<size_t>(width_); }
   T& operator()(int x, int y) { return view()(x, y); }
@@ -92,13 +99,15 @@ class Image {
   operator ImageView<T>() { return view(); }
   operator ImageView<const T>() const { return view(); }
 
-  bool operator==(const Image&) const = default;
+  bool operator==(const Image& other) const {
+    return width_ == other.width_ && height_ == other.height_ && std::equal(begin(), end(), other.begin());
+  }
 
  private:
   Image(const Image&) = delete;
   Image& operator=(const Image&) = delete;
 
-  std::vector<T> pixels_;
+  std::unique_ptr<T[]> pixels_;
   int width_ = 0;
   int height_ = 0;
 };

@@ -14,20 +14,22 @@ using glsl::PatchTexel;
 
 /// A fragment under a block.
 struct Part {
-  int x = 0, y = 0;     ///< its centre, from the corner of the block's repetition
-  uint32_t source = 0;  ///< texel of the tile that shows there: x + 65536 y
-  double share = 0;     ///< of the block, times the share of the coarser colour that it takes
+  int16_t x = 0, y = 0;  ///< its centre, from the corner of the block's repetition
+  uint32_t source = 0;   ///< texel of the tile that shows there: x + 65536 y
+  double share = 0;      ///< of the block, times the share of the coarser colour that it takes
 };
 
-/// Fragments of every value of one list: entries × contents.
-struct Parts {
-  std::vector<uint32_t> first;  ///< and their number at the end
+/// Fragments of every value in a row of blocks: entries × contents.
+struct PartRow {
+  std::vector<uint32_t> first;  ///< of each value, and the number of parts at the end
   std::vector<Part> parts;
 
+  size_t values() const { return first.size() - 1; }
   std::span<const Part> at(size_t value) const {
     return {parts.data() + first[value], parts.data() + first[value + 1]};
   }
 };
+using PartRows = std::vector<PartRow>;
 
 void add(std::vector<Part>& parts, size_t begin, const Part& part) {
   for (size_t i = begin; i < parts.size(); ++i)
@@ -47,25 +49,17 @@ class Builder {
   }
 
   /// Of the blocks of list `i`, of list 0 those texels that have entries; those of finer lists are in `found`.
-  Parts parts_of(size_t i, const std::vector<Parts>& found) const {
-    const LevelCover& cover = lists_.lists[i].cover;
-    std::vector<Parts> rows(static_cast<size_t>(cover.size.y));
-    parallel_for(0, cover.size.y, [&](int y) { rows[static_cast<size_t>(y)] = row_of(i, y, found); });
-    Parts all;
-    for (const Parts& row : rows) {
-      const auto begin = static_cast<uint32_t>(all.parts.size());
-      for (const uint32_t first : row.first) all.first.push_back(begin + first);
-      all.parts.insert(all.parts.end(), row.parts.begin(), row.parts.end());
-    }
-    all.first.push_back(static_cast<uint32_t>(all.parts.size()));
-    return all;
+  PartRows parts_of(size_t i, const std::vector<PartRows>& found) const {
+    PartRows rows(static_cast<size_t>(lists_.lists[i].cover.size.y));
+    parallel_for(0, static_cast<int>(rows.size()), [&](int y) { rows[static_cast<size_t>(y)] = row_of(i, y, found); });
+    return rows;
   }
 
  private:
-  Parts row_of(size_t i, int y, const std::vector<Parts>& found) const {
+  PartRow row_of(size_t i, int y, const std::vector<PartRows>& found) const {
     const LevelCover& cover = lists_.lists[i].cover;
     glsl::Program program = program_;
-    Parts row;
+    PartRow row;
     for (int x = 0; x < cover.size.x; ++x) {
       const auto entries = cover.at(x, y);
       if (i == 0 && entries.size() == 1) continue;
@@ -78,12 +72,13 @@ class Builder {
             add_block(program, i, {x, y}, entries[k], content, found, row.parts);
         }
     }
+    row.first.push_back(static_cast<uint32_t>(row.parts.size()));
     return row;
   }
 
   /// What the finer blocks hold of a patch.
   void add_block(glsl::Program& program, size_t i, V2i block, const PatchTexel& owned, int content,
-                 const std::vector<Parts>& found, std::vector<Part>& parts) const {
+                 const std::vector<PartRows>& found, std::vector<Part>& parts) const {
     const LevelList& list = lists_.lists[i];
     const LevelCover& finer = lists_.lists[list.finer].cover;
     const V2i children(finer.size.x / list.cover.size.x, finer.size.y / list.cover.size.y);
@@ -100,9 +95,9 @@ class Builder {
           add(parts, begin, part);
           continue;
         }
-        const size_t entry = finer.first_at(x, y) + static_cast<size_t>(at - entries.begin());
+        const size_t entry = finer.first_at(x, y) - finer.first_at(0, y) + static_cast<size_t>(at - entries.begin());
         const size_t value = entry * static_cast<size_t>(planes_.content_count) + static_cast<size_t>(content);
-        for (Part part : found[list.finer].at(value)) {
+        for (Part part : found[list.finer][static_cast<size_t>(y)].at(value)) {
           part.share *= part_of_block;
           add(parts, begin, part);
         }
@@ -121,7 +116,8 @@ class Builder {
     const glsl::ivec2 center = program.fragment_center(at, decision, source, labels);
     const int x = program.wrap_any(source.nearest.x + labels.x, planes_.size.x);
     const int y = program.wrap_any(source.nearest.y + labels.y, planes_.size.y);
-    return {center.x, center.y, static_cast<uint32_t>(x) | static_cast<uint32_t>(y) << 16,
+    return {static_cast<int16_t>(center.x), static_cast<int16_t>(center.y),
+            static_cast<uint32_t>(x) | static_cast<uint32_t>(y) << 16,
             weight * double{taking_[static_cast<size_t>(labels.z)]}};
   }
 
@@ -133,9 +129,19 @@ class Builder {
 };
 
 glsl::ivec4 texel_of(const Part& part, uint64_t next) {
-  const uint32_t center = (static_cast<uint32_t>(part.x) & 0xffff) | static_cast<uint32_t>(part.y) << 16;
+  const uint32_t center = static_cast<uint16_t>(part.x) | static_cast<uint32_t>(static_cast<uint16_t>(part.y)) << 16;
   return {std::bit_cast<int32_t>(center), std::bit_cast<int32_t>(static_cast<float>(part.share)),
           std::bit_cast<int32_t>(part.source), static_cast<int32_t>(next)};
+}
+
+/// Writes a row: the first part of each value from `first` on, the others from `other` on, whose number is `next`.
+void store(const PartRow& row, glsl::ivec4* first, glsl::ivec4* other, uint64_t next) {
+  for (size_t value = 0; value < row.values(); ++value) {
+    const std::span<const Part> under = row.at(value);
+    *first++ = texel_of(under[0], under.size() > 1 ? next : 0);
+    for (size_t k = 1; k < under.size(); ++k) *other++ = texel_of(under[k], k + 1 < under.size() ? ++next : 0);
+    if (under.size() > 1) ++next;
+  }
 }
 
 }  // namespace
@@ -143,29 +149,32 @@ glsl::ivec4 texel_of(const Part& part, uint64_t next) {
 Image<glsl::ivec4> fragment_shares(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists,
                                    int last_level) {
   const Builder builder(scale, planes, lists);
-  const auto contents = static_cast<uint64_t>(planes.content_count);
-  std::vector<glsl::ivec4> firsts(static_cast<size_t>(list_rows(lists.count * contents)) * kListWidth, {0, 0, 0, 0});
-  std::vector<glsl::ivec4> others;
-  std::vector<Parts> found;
-  for (size_t i = 0; i <= lists.list_of_level[static_cast<size_t>(last_level)]; ++i) {
+  std::vector<PartRows> found;
+  for (size_t i = 0; i <= lists.list_of_level[static_cast<size_t>(last_level)]; ++i)
     found.push_back(builder.parts_of(i, found));
-    const Parts& parts = found.back();
-    // Entries of a list follow one another, from 1 on.
-    glsl::ivec4* first = firsts.data() + (i == 0 ? 1 : lists.lists[i].first_at({0, 0})) * contents;
-    for (size_t value = 0; value + 1 < parts.first.size(); ++value, ++first) {
-      const std::span<const Part> under = parts.at(value);
-      for (size_t k = 0; k < under.size(); ++k) {
-        const bool is_last = k + 1 == under.size();
-        const uint64_t next = is_last ? 0 : firsts.size() + others.size() + (k == 0 ? 0 : 1);
-        if (k == 0)
-          *first = texel_of(under[k], next);
-        else
-          others.push_back(texel_of(under[k], next));
-      }
+
+  // Entries of a list follow one another, from 1 on, and so do their rows.
+  const auto contents = static_cast<uint64_t>(planes.content_count);
+  std::vector<const PartRow*> rows;
+  std::vector<uint64_t> first = {contents};
+  std::vector<uint64_t> other = {static_cast<uint64_t>(list_rows(lists.count * contents)) * kListWidth};
+  for (const PartRows& list : found)
+    for (const PartRow& row : list) {
+      rows.push_back(&row);
+      first.push_back(first.back() + row.values());
+      other.push_back(other.back() + row.parts.size() - row.values());
     }
-  }
-  Image<glsl::ivec4> image(kListWidth, list_rows(firsts.size() + others.size()), {0, 0, 0, 0});
-  std::copy(others.begin(), others.end(), std::copy(firsts.begin(), firsts.end(), image.begin()));
+  auto image = Image<glsl::ivec4>::unset(kListWidth, list_rows(other.back()));
+  const auto fill = [&](uint64_t begin, uint64_t end) {
+    std::fill(image.begin() + begin, image.begin() + end, glsl::ivec4{0, 0, 0, 0});
+  };
+  fill(0, first.front());
+  fill(first.back(), other.front());
+  fill(other.back(), image.size());
+  parallel_for(0, static_cast<int>(rows.size()), [&](int y) {
+    const auto at = static_cast<size_t>(y);
+    store(*rows[at], image.begin() + first[at], image.begin() + other[at], other[at]);
+  });
   return image;
 }
 

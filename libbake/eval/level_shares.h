@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "libbake/base/parallel.h"
 #include "libbake/eval/level_lists.h"
@@ -30,46 +31,60 @@ struct LevelSum {
 template <class TexelShare>
 class LevelShares {
  public:
-  LevelShares(const LevelLists& lists, int content_count, Image<glsl::vec4>& values, const TexelShare& texel_share)
+  LevelShares(const LevelLists& lists, int content_count, ImageView<glsl::vec4> values, const TexelShare& texel_share)
       : lists_(lists), content_count_(content_count), values_(values), texel_share_(texel_share) {}
 
   void fill() {
     for (size_t i = 1; i < lists_.lists.size(); ++i)
-      parallel_for(0, list(i).cover.size.y, [&](int y) {
-        for (int x = 0; x < list(i).cover.size.x; ++x) fill_block(i, {x, y});
-      });
+      parallel_for(0, list(i).cover.size.y, [&](int y) { fill_row(i, y); });
     const glsl::vec4 mean = mean_share();
     for (int content = 0; content < content_count_; ++content) value(0, content) = mean;
   }
 
  private:
+  /// Where a finer block has a patch: its k-th entry.
+  struct Place {
+    V2i block;
+    uint32_t k;
+  };
+
   const LevelList& list(size_t i) const { return lists_.lists[i]; }
 
   glsl::vec4& value(uint32_t entry, int content) const {
     return values_.data()[size_t{entry} * static_cast<size_t>(content_count_) + static_cast<size_t>(content)];
   }
 
-  void fill_block(size_t i, V2i block) {
-    uint32_t entry = list(i).first_at(block);
-    for (const glsl::PatchTexel& owned : list(i).cover.at(block.x, block.y)) {
-      for (int content = 0; content < content_count_; ++content)
-        value(entry, content) = mean_of_finer(i, block, owned, content);
-      ++entry;
-    }
+  /// Content by content: what is read then lies side by side.
+  void fill_row(size_t i, int y) {
+    const LevelCover& blocks = list(i).cover;
+    const LevelCover& finer = list(list(i).finer).cover;
+    const V2i children(finer.size.x / blocks.size.x, finer.size.y / blocks.size.y);
+    const double count = double{1} * children.x * children.y;
+    std::vector<Place> under;
+    std::vector<size_t> ends;  // in `under`, of each entry
+    for (int x = 0; x < blocks.size.x; ++x)
+      for (const glsl::PatchTexel& owned : blocks.at(x, y)) {
+        add_places(finer, {x * children.x, y * children.y}, children, owned, under);
+        ends.push_back(under.size());
+      }
+    const uint32_t first = list(i).first_at({0, y});
+    for (int content = 0; content < content_count_; ++content)
+      for (size_t k = 0, at = 0; k < ends.size(); ++k) {
+        LevelSum sum;
+        for (; at < ends[k]; ++at) sum.add(share_at(list(i).finer, under[at].block, under[at].k, content));
+        value(first + static_cast<uint32_t>(k), content) = sum.over(count);
+      }
   }
 
-  glsl::vec4 mean_of_finer(size_t i, V2i block, const glsl::PatchTexel& owned, int content) const {
-    const LevelCover& finer = list(list(i).finer).cover;
-    const V2i children(finer.size.x / list(i).cover.size.x, finer.size.y / list(i).cover.size.y);
-    LevelSum sum;
-    for (int y = block.y * children.y; y < (block.y + 1) * children.y; ++y)
-      for (int x = block.x * children.x; x < (block.x + 1) * children.x; ++x) {
+  /// Those of one patch among `children` blocks from `corner` on.
+  static void add_places(const LevelCover& finer, V2i corner, V2i children, const glsl::PatchTexel& owned,
+                         std::vector<Place>& places) {
+    for (int y = corner.y; y < corner.y + children.y; ++y)
+      for (int x = corner.x; x < corner.x + children.x; ++x) {
         const auto entries = finer.at(x, y);
         const auto found = std::find(entries.begin(), entries.end(), owned);
-        if (found == entries.end()) continue;
-        sum.add(share_at(list(i).finer, {x, y}, static_cast<uint32_t>(found - entries.begin()), content));
+        if (found != entries.end()) places.push_back({{x, y}, static_cast<uint32_t>(found - entries.begin())});
       }
-    return sum.over(double{1} * children.x * children.y);
   }
 
   glsl::vec4 share_at(size_t i, V2i block, uint32_t k, int content) const {
@@ -90,7 +105,7 @@ class LevelShares {
 
   const LevelLists& lists_;
   int content_count_;
-  Image<glsl::vec4>& values_;
+  ImageView<glsl::vec4> values_;
   const TexelShare& texel_share_;
 };
 

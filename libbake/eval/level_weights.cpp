@@ -58,9 +58,9 @@ Image<glsl::MaskTexel> in_steps(const Image<vec4>& weights) {
   return rounded;
 }
 
-void add_noise_means(const EvaluatorPlanes& planes, const Image<vec4>& weights, Image<vec4>& values) {
+void add_noise_means(const EvaluatorPlanes& planes, const Image<vec4>& weights, ImageView<vec4> values) {
   const std::vector<vec4> means = means_of_noises(planes);
-  for (size_t i = 0; i < values.size(); ++i) {
+  for (size_t i = 0; i < weights.size(); ++i) {
     const vec4& of = weights.data()[i];
     const float weight[4] = {of.x, of.y, of.z, of.w};
     for (size_t k = 0; k < means.size(); ++k) values.data()[i] = values.data()[i] + means[k] * weight[k];

@@ -1,5 +1,6 @@
 #include "libbake/eval/levels.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "libbake/base/parallel.h"
@@ -17,8 +18,8 @@ using glsl::vec4;
 /// What texels show of a plane, as shares: of every patch that counts there.
 class TexelValues {
  public:
-  TexelValues(const EvaluatorPlanes& planes, const Plane& plane, const LevelLists& lists, Image<vec4>& values)
-      : planes_(planes), plane_(plane), lists_(lists), values_(values) {
+  TexelValues(const EvaluatorPlanes& planes, const Plane& plane, const LevelLists& lists, ImageView<vec4> values)
+      : planes_(planes), plane_(plane), lists_(lists), values_(values), program_(program_of(planes, 0)) {
     if (planes.soft_border_px > 0) local_mean_ = local_mean(plane.texels, planes.soft_border_px);
   }
 
@@ -68,22 +69,45 @@ class TexelValues {
 
   /// What a patch's content shows at a texel, of the plane or of what stands in its place.
   vec4 shown(const Image<vec4>& pixels, V2i p, const PatchTexel& owned, int content) const {
-    glsl::Program program = program_of(planes_, 0);
+    const glsl::ivec4& moved = planes_.contents(content, owned.patch_idx);
+    if (moved.z == 65536 && moved.w == 0 && is_plain_) {
+      const glsl::ivec2 texel = program_.moved_source({p.x, p.y}, moved).texel;
+      return pixels(texel.x, texel.y);
+    }
+    return shown_by_text(pixels, p, owned, content);
+  }
+
+  /// The same in any case.
+  vec4 shown_by_text(const Image<vec4>& pixels, V2i p, const PatchTexel& owned, int content) const {
     const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
-    const glsl::Source source = program.source_of({{0, 0}, {p.x, p.y}}, decision);
-    return program.kind_value(sampler_of(pixels), plane_kind(plane_.kind), source);
+    const glsl::Source source = program_.source_of({{0, 0}, {p.x, p.y}}, decision);
+    return program_.kind_value(sampler_of(pixels), plane_kind(plane_.kind), source);
   }
 
   const EvaluatorPlanes& planes_;
   const Plane& plane_;
   const LevelLists& lists_;
-  Image<vec4>& values_;
+  ImageView<vec4> values_;
+  const bool is_plain_ = plane_.kind == MapKind::plain || plane_.kind == MapKind::structure;
   Image<vec4> local_mean_;
+  mutable glsl::Program program_;  ///< what is called here of the text writes nothing
 };
 
-/// Sets the levels of a plane and, with noise, those of the masks.
-void add_values(const LevelLists& lists, Plane& plane, EvaluatorPlanes& planes) {
-  Image<vec4> values(kListWidth, list_rows(lists.count * static_cast<uint64_t>(planes.content_count)), {0, 0, 0, 0});
+}  // namespace
+
+int value_rows(const LevelLists& lists, const EvaluatorPlanes& planes) {
+  return list_rows(lists.count * static_cast<uint64_t>(planes.content_count));
+}
+
+LevelLists add_lists(EvaluatorPlanes& planes) {
+  LevelLists lists = level_lists(planes);
+  store_lists(lists, planes);
+  return lists;
+}
+
+void fill_levels(const LevelLists& lists, const Plane& plane, EvaluatorPlanes& planes, ImageView<vec4> values) {
+  const uint64_t count = lists.count * static_cast<uint64_t>(planes.content_count);
+  std::fill(values.begin() + count, values.end(), vec4{0, 0, 0, 0});
   TexelValues texels(planes, plane, lists, values);
   texels.fill_soft_texels();
   LevelShares(lists, planes.content_count, values, texels).fill();
@@ -93,25 +117,29 @@ void add_values(const LevelLists& lists, Plane& plane, EvaluatorPlanes& planes) 
     add_texel_weights(planes, lists, weights);
     planes.level_weights = in_steps(weights);
   }
+}
+
+namespace {
+
+void add_values(const LevelLists& lists, Plane& plane, EvaluatorPlanes& planes) {
+  auto values = Image<vec4>::unset(kListWidth, value_rows(lists, planes));
+  fill_levels(lists, plane, planes, values);
   plane.level_values = std::move(values);
 }
 
 }  // namespace
 
 void add_levels(EvaluatorPlanes& planes, const Plane& plane) {
-  const LevelLists lists = level_lists(planes);
-  store_lists(lists, planes);
+  const LevelLists lists = add_lists(planes);
   if (&plane == &planes.base) add_values(lists, planes.base, planes);
   for (Plane& map : planes.maps)
     if (&map == &plane) add_values(lists, map, planes);
 }
 
-LevelLists add_levels(EvaluatorPlanes& planes) {
-  LevelLists lists = level_lists(planes);
-  store_lists(lists, planes);
+void add_levels(EvaluatorPlanes& planes) {
+  const LevelLists lists = add_lists(planes);
   add_values(lists, planes.base, planes);
   for (Plane& map : planes.maps) add_values(lists, map, planes);
-  return lists;
 }
 
 }  // namespace texbake

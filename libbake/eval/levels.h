@@ -16,7 +16,13 @@ namespace texbake {
 /// block (level_weights.h, noise_levels.h). Throws Error(infeasible) when there are 2^32 values or more.
 void add_levels(EvaluatorPlanes& planes, const Plane& plane);
 
-/// The same of the base and all maps. Gives the lists, for what else is stored along them.
-LevelLists add_levels(EvaluatorPlanes& planes);
+/// The same of the base and all maps.
+void add_levels(EvaluatorPlanes& planes);
+
+/// The two steps of it, for values that are kept elsewhere: the lists, which are added to `planes`; and the values of
+/// one plane, in value_rows rows of kListWidth, and with noise those of the masks, which are added.
+LevelLists add_lists(EvaluatorPlanes& planes);
+int value_rows(const LevelLists& lists, const EvaluatorPlanes& planes);
+void fill_levels(const LevelLists& lists, const Plane& plane, EvaluatorPlanes& planes, ImageView<glsl::vec4> values);
 
 }  // namespace texbake

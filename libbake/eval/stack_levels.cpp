@@ -43,10 +43,11 @@ Image<float> gain_of(const StackScale& scale) {
   return gain;
 }
 
-/// The planes of one scale with the levels that it needs in a stack.
+/// The planes of one scale with the lists of the levels that it needs in a stack.
 struct LeveledScale {
-  EvaluatorPlanes planes;     ///< base: with its gains; map 0: the dominant colours, where they are read
-  Image<glsl::ivec4> shares;  ///< of fragments; empty where they pass no colours
+  EvaluatorPlanes planes;  ///< base: with its gains; map 0: the dominant colours, where they are read
+  LevelLists lists = {};
+  Image<glsl::ivec4> shares = {};  ///< of fragments; empty where they pass no colours
   int level_count = 0;
 };
 
@@ -58,7 +59,7 @@ bool has_dominants(const std::vector<StackScale>& scales, size_t s) {
 }
 
 LeveledScale leveled(const StackScale& scale, bool with_dominants) {
-  LeveledScale leveled{strong_planes(scale), {}, 0};
+  LeveledScale leveled{strong_planes(scale)};
   EvaluatorPlanes& planes = leveled.planes;
   planes.soft_border_px = soft_border_of(scale);
   planes.noise_gain = gain_of(scale);
@@ -69,17 +70,18 @@ LeveledScale leveled(const StackScale& scale, bool with_dominants) {
         {"dominant", MapKind::plain, 3, Image<glsl::vec4>(planes.size.x, planes.size.y, {0, 0, 0, 0})});
     set_texels(planes.maps.back(), dominant_of(scale), taking);
   }
-  const LevelLists lists = add_levels(planes);
+  leveled.lists = add_lists(planes);
   leveled.level_count = planes.level_count;
   if (!scale.transfer) return leveled;
   leveled.level_count = std::min(planes.level_count, last_level(scale.transfer->ratio));
   if (scale.transfer->mode == TransferMode::fragment)
-    leveled.shares = fragment_shares(scale, planes, lists, leveled.level_count);
+    leveled.shares = fragment_shares(scale, planes, leveled.lists, leveled.level_count);
   return leveled;
 }
 
 /// Numbers of next fragments count from the top of all scales.
 void count_from(Image<glsl::ivec4>& shares, int row) {
+  if (row == 0) return;
   for (glsl::ivec4& fragment : shares)
     if (fragment.w > 0) fragment.w += row * kListWidth;
 }
@@ -99,8 +101,7 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   std::vector<const Image<glsl::ivec4>*> tables = {&stack.scale_table};
   std::vector<const Image<glsl::LevelBlock>*> blocks;
   std::vector<const Image<glsl::PatchTexel>*> entries;
-  std::vector<const Image<glsl::vec4>*> values;
-  std::vector<const Image<glsl::ivec4>*> shares;
+  std::vector<Image<glsl::ivec4>> shares;
   int level_row = stack.scale_table.height(), block_row = 0, entry_row = 0, value_row = 0, share_row = 0;
   for (size_t s = 0; s < scales.size(); ++s) {
     LeveledScale& scale = leveled_scales[s];
@@ -112,26 +113,35 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
     tables.push_back(&scale.planes.level_table);
     blocks.push_back(&scale.planes.level_blocks);
     entries.push_back(&scale.planes.level_entries);
-    values.push_back(&scale.planes.base.level_values);
-    shares.push_back(&scale.shares);
     level_row += tables.back()->height();
     block_row += blocks.back()->height();
     entry_row += entries.back()->height();
-    value_row += values.back()->height();
+    value_row += value_rows(scale.lists, scale.planes);
     share_row += scale.shares.height();
+    shares.push_back(std::move(scale.shares));
   }
   for (size_t s = 0; s < scales.size(); ++s) {
     if (!has_dominants(scales, s)) continue;
     stack.scale_entry(3, static_cast<int>(s)).y = value_row;
-    values.push_back(&leveled_scales[s].planes.maps[0].level_values);
-    value_row += values.back()->height();
+    value_row += value_rows(leveled_scales[s].lists, leveled_scales[s].planes);
   }
   stack.scale_table = stacked(tables, glsl::ivec4{0, 0, 0, 0});
   stack.level_blocks = stacked(blocks, glsl::LevelBlock{});
   stack.level_entries = stacked(entries, glsl::PatchTexel{});
-  stack.base_levels = stacked(values, glsl::vec4{0, 0, 0, 0});
-  stack.level_weights = std::move(leveled_scales.back().planes.level_weights);
-  stack.fragment_shares = stacked(shares, glsl::ivec4{0, 0, 0, 0});
+  stack.base_levels = Image<glsl::vec4>::unset(kListWidth, value_row);
+  for (size_t s = 0; s < scales.size(); ++s) {
+    EvaluatorPlanes& planes = leveled_scales[s].planes;
+    const LevelLists& lists = leveled_scales[s].lists;
+    const glsl::ivec4& first = stack.scale_entry(3, static_cast<int>(s));
+    const auto fill = [&](const Plane& plane, int row) {
+      fill_levels(lists, plane, planes, {stack.base_levels.row(row), kListWidth, value_rows(lists, planes)});
+    };
+    fill(planes.base, first.x);
+    if (has_dominants(scales, s)) fill(planes.maps[0], first.y);
+    stack.level_weights = std::move(planes.level_weights);  // the finest's remain: others have none
+    leveled_scales[s] = {};
+  }
+  stack.fragment_shares = in_one(std::move(shares), glsl::ivec4{0, 0, 0, 0});
 }
 
 StackLevelMemory level_memory(const StackPlanes& stack) {

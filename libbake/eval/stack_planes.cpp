@@ -194,6 +194,12 @@ StackPlanes prepare_stack(const std::vector<StackScale>& given) {
   return planes;
 }
 
+void set_detail_mean(StackPlanes& planes, int scale, DetailMean mean) {
+  planes.transfers[static_cast<size_t>(scale)].detail_mean = mean;
+  int& bits = planes.scale_entry(1, scale).w;
+  bits = mean == DetailMean::local ? bits | kLocalMean : bits & ~kLocalMean;
+}
+
 Nesting nesting_at(const StackPlanes& planes, glsl::uvec2 reference) {
   const auto floor_div = [](int64_t a, int64_t b) { return a / b - (a % b < 0 ? 1 : 0); };
   Nesting nesting;

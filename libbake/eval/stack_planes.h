@@ -60,6 +60,9 @@ struct StackPlanes {
 /// the palette, or a tile that is larger than that of the coarser scale: the scales are then in the wrong order.
 StackPlanes prepare_stack(const std::vector<StackScale>& scales);
 
+/// What `scale` replaces from now on, of planes that were prepared with its local mean.
+void set_detail_mean(StackPlanes& planes, int scale, DetailMean mean);
+
 /// Throws Error(bad_data) unless `fine` can follow `coarse` with `transfer`; a part of prepare_stack that costs
 /// nothing.
 void check_transfer(const StackScale& coarse, const StackScale& fine);

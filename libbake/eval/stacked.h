@@ -30,4 +30,12 @@ std::vector<const Image<T>*> pointers_to(const std::vector<Image<T>>& images) {
   return pointers;
 }
 
+/// The same of images that are not needed any more: where one alone has pixels, it is taken as it is.
+template <class T>
+Image<T> in_one(std::vector<Image<T>> images, T empty) {
+  std::erase_if(images, [](const Image<T>& image) { return image.empty(); });
+  if (images.size() == 1) return std::move(images[0]);
+  return stacked(pointers_to(images), empty);
+}
+
 }  // namespace texbake

@@ -155,6 +155,24 @@ TEST(StackPlanes, TheLocalMeanKeepsTheCoarseColourBetterThanTheTiles) {
   EXPECT_LT(rms(DetailMean::local), 0.5 * rms(DetailMean::tile));
 }
 
+TEST(StackPlanes, PlanesWithALocalMeanShowEither) {
+  for (const int border : {0, 2}) {
+    const auto prepared = [&](DetailMean mean) {
+      SmallStack stack = two_scales({.ratio = 4, .detail_mean = mean});
+      for (ScaleTile& scale : stack.tiles) scale.tile.soft_border_px = border;
+      return stack.planes();
+    };
+    const StackPlanes tile = prepared(DetailMean::tile), local = prepared(DetailMean::local);
+    StackPlanes either = prepared(DetailMean::local);
+    const auto rms = [](const StackPlanes& planes) { return transfer_error(planes, 1, 8).rms; };
+    set_detail_mean(either, 1, DetailMean::tile);
+    EXPECT_EQ(rms(either), rms(tile)) << border;
+    set_detail_mean(either, 1, DetailMean::local);
+    EXPECT_EQ(rms(either), rms(local)) << border;
+    EXPECT_NE(rms(tile), rms(local)) << border;
+  }
+}
+
 TEST(StackPlanes, RelativeDetailIsInProportionToTheCoarsestScale) {
   SmallStack absolute, relative;
   for (SmallStack* stack : {&absolute, &relative}) {

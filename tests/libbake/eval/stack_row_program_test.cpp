@@ -10,13 +10,14 @@
 namespace texbake {
 namespace {
 
-/// Three scales with soft borders and turned contents, whose sides no power of two divides.
+/// Three scales with soft borders, noise and turned contents, whose sides no power of two divides.
 StackPlanes three_scales(TransferMode mode, DetailMean mean) {
   SmallStack stack;
   stack.add(random_scale({48, 32}, 3, Contents::turned, 1))
       .add(random_scale({32, 24}, 3, Contents::turned, 2), {.ratio = 4, .mode = mode, .detail_mean = mean})
       .add(random_scale({24, 32}, 3, Contents::turned, 3), {.ratio = 6, .mode = mode, .detail_mean = mean});
   for (ScaleTile& tile : stack.tiles) tile.tile.soft_border_px = 2;
+  add_noise(stack.tiles.back().tile, 2, 16, 4);
   StackPlanes planes = stack.planes();
   add_levels(planes, stack.scales());
   return planes;
