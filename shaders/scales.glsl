@@ -273,3 +273,17 @@ vec4 hard_texel(int scale, Texel at, float variation) {
   PRECISE vec4 arrived = shown.color + (without_w(coarse) - shown.mean) * (shown.taking * coarse.w);
   return arrived;
 }
+
+// What stacked_texel gives of the scale before `scale` at the texel that holds `center`. The last answer is kept: blocks
+// and probes side by side mostly see one fragment. Leaves `scale` in use.
+vec4 coarser_color(int scale, Texel center, float coarser_share) {
+  if (kept_scale == scale && kept_tile.x == center.tile.x && kept_tile.y == center.tile.y && kept_p.x == center.p.x &&
+      kept_p.y == center.p.y)
+    return kept_color;
+  kept_scale = scale;
+  kept_tile = center.tile;
+  kept_p = center.p;
+  kept_color = stacked_texel(scale - 1, coarser_texel(scale, center), coarser_share);
+  use_scale(scale);
+  return kept_color;
+}

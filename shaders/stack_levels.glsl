@@ -3,20 +3,6 @@
 // Based on: Lutz et al. 2019, for levels; Vanhoey et al. 2013, eq. 5, averaged over a block. Needs levels.glsl, scales.glsl
 // and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
 
-// What stacked_texel gives of the scale before `scale` at the texel that holds `center`. The last answer is kept: blocks
-// and probes side by side mostly see one fragment. Leaves `scale` in use.
-vec4 coarser_color(int scale, Texel center, float coarser_share) {
-  if (kept_scale == scale && kept_tile.x == center.tile.x && kept_tile.y == center.tile.y && kept_p.x == center.p.x &&
-      kept_p.y == center.p.y)
-    return kept_color;
-  kept_scale = scale;
-  kept_tile = center.tile;
-  kept_p = center.p;
-  kept_color = stacked_texel(scale - 1, coarser_texel(scale, center), coarser_share);
-  use_scale(scale);
-  return kept_color;
-}
-
 // What the fragments of one entry of a block take from the coarser scale, each by its share of the block. `number` is that
 // of the entry's value.
 vec4 taken_by_fragments(int scale, uint number, uvec2 tile, float share, float coarser_share) {
@@ -131,12 +117,3 @@ vec4 scale_texel(int scale, Texel at, float variation) {
   use_levels(scale);
   return scale_block(scale, at, grid_of(0), variation);
 }
-
-// What a pixel sees: points in a row, all at one level of `scale`, and how far that has faded into the scale before it.
-struct StackProbes {
-  Probes row;             // of `scale`; level_256: 0 ... 256 (level_count + 1)
-  int scale;
-  int coarser_halvings;   // 2^coarser_halvings points of the scale before it, whose texels are larger
-  float fading;           // 0 ... 1
-  float variation;        // share of its variation that `scale` still has
-};

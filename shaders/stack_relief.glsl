@@ -2,6 +2,15 @@
 // the exact path; it ends in integers (StackSight).
 // Needs relief.glsl, stack_levels.glsl and what relief_bindings.glsl binds.
 
+// What a pixel sees: points in a row, all at one level of `scale`, and how far that has faded into the scale before it.
+struct StackProbes {
+  Probes row;             // of `scale`; level_256: 0 ... 256 (level_count + 1)
+  int scale;
+  int coarser_halvings;   // 2^coarser_halvings points of the scale before it, whose texels are larger
+  float fading;           // 0 ... 1
+  float variation;        // share of its variation that `scale` still has
+};
+
 struct StackSight {
   bool hits;
   StackProbes seen;

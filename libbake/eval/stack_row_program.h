@@ -1,5 +1,5 @@
-// The reference text of a stack with a memory of the blocks that were seen last: probes and pixels side by side mostly
-// read the same ones.
+// The reference text of a stack with a memory of what was seen last: probes and pixels side by side mostly read the
+// same blocks, and blocks side by side the same coarser colours.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,47 @@
 
 namespace texbake::glsl {
 
-/// Differs from Program in time alone. Not to be shared between threads.
-class StackRowProgram : public Program {
+/// Remembers coarser colours. Differs from Program in time alone. Not to be shared between threads.
+class ColorProgram : public Program {
  public:
-  explicit StackRowProgram(const Program& program) : Program(program), known_(kSlots) {}
+  explicit ColorProgram(const Program& program) : Program(program), colors_(kSlots) {}
+
+  vec4 coarser_color(int scale, const Texel& center, float coarser_share) {
+    Color& color = colors_[static_cast<uint32_t>(center.p.x + 67 * center.p.y) % kSlots];
+    if (!color.is(scale, center)) color = {center, scale, Program::coarser_color(scale, center, coarser_share)};
+    return color.value;
+  }
+
+#define PRECISE
+#include "shaders/stack_levels.glsl"
+#undef PRECISE
+
+ private:
+  /// The centre of a fragment, and the coarser colour there.
+  struct Color {
+    Texel center{{0, 0}, {0, 0}};
+    int scale = -1;
+    vec4 value{0, 0, 0, 0};
+
+    bool is(int of, const Texel& at) const {
+      return center.p.x == at.p.x && center.p.y == at.p.y && center.tile.x == at.tile.x && center.tile.y == at.tile.y &&
+             scale == of;
+    }
+  };
+
+  static constexpr uint32_t kSlots = 1 << 10;  ///< 48 KiB: a view from near sees so many fragments
+  std::vector<Color> colors_;
+};
+
+/// Remembers blocks too.
+class StackRowProgram : public ColorProgram {
+ public:
+  explicit StackRowProgram(const Program& program) : ColorProgram(program), known_(kSlots) {}
 
   vec4 scale_block(int scale, const Texel& block, const Grid& grid, float variation) {
     Known& known = known_[slot_of(block, grid)];
     if (!known.is(scale, block, grid, variation))
-      known = {block, grid.corner, scale, variation, Program::scale_block(scale, block, grid, variation)};
+      known = {block, grid.corner, scale, variation, ColorProgram::scale_block(scale, block, grid, variation)};
     return known.value;
   }
 
