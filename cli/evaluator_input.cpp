@@ -22,6 +22,7 @@ NoiseInput noise_input(const Scale& scale, const NoiseModel& model) {
   for (const Image<float>& mask : scale.masks) input.masks.push_back(mask);
   for (const Noise& noise : model.noises) input.tiles.push_back(noise.tile);
   input.row_step = model.lattice.row_step;
+  input.space = model.space;
   return input;
 }
 

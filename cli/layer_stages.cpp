@@ -61,11 +61,18 @@ Decomposition decomposed(const Image<V3f>& exemplar, const DecomposeOptions& opt
   return decompose(exemplar, options, std::move(candidates), progress);
 }
 
-/// That which decompose used, where its record says so.
+/// The T_loc that decompose used, where its record says so.
 std::optional<int> local_size_of(const Bundle& bundle) {
   const Stage* decompose = find_stage(bundle, "decompose");
   const Json size = decompose ? decompose->parameters.value("local-size", Json()) : Json();
   return size.is_number_integer() ? std::optional<int>(size.get<int>()) : std::nullopt;
+}
+
+/// The space in which decompose told the layers apart, where its record says so.
+std::optional<NoiseSpace> space_of(const Bundle& bundle) {
+  const Stage* decompose = find_stage(bundle, "decompose");
+  const Json space = decompose ? decompose->parameters.value("noise-space", Json()) : Json();
+  return space.is_string() ? enum_value<NoiseSpace>(space.get<std::string>()) : std::nullopt;
 }
 
 Json noise_figures(const Noise& noise) {
@@ -109,6 +116,7 @@ void run_estimate_psd(Bundle& bundle, const EstimatePsdOptions& options, Console
   RunningStage stage(bundle, "estimate-psd", console);
   EstimatePsdOptions effective = options;
   if (!options.local_size) effective.local_size = local_size_of(bundle);
+  if (!options.space) effective.space = space_of(bundle).value_or(NoiseSpace::root);
   bundle.noise = estimate_psd(scale.exemplar, *scale.structure, scale.masks, effective, stage.progress());
   Json noises = Json::array();
   for (const Noise& noise : bundle.noise->noises) noises.push_back(noise_figures(noise));

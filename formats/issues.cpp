@@ -114,7 +114,7 @@ constexpr IssueKind kKinds[] = {
     {noise_tile, "noise-tile", kWarning, kData, "the variance of a noise tile is far from that of its spectrum",
      "run estimate-psd again"},
     {noise_strength, "noise-strength", kWarning, kData,
-     "the variance of a spectrum is far from that of exemplar - structure inside its mask", "run estimate-psd again"},
+     "the variance of a spectrum is far from that of the noise layer inside its mask", "run estimate-psd again"},
 
     {transfer_missing, "transfer-missing", kError, kData,
      "a scale does not say how it takes its colours from the coarser one, or the coarsest does",

@@ -92,12 +92,13 @@ Json noise_json(const NoiseModel& noise, const NoiseRefs& refs) {
     noises.push_back(one_noise_json(noise.noises[k], refs.spectra[k], refs.tiles[k]));
   return {{"tileSize", tiles_size(noise).x},
           {"rowStep", noise.lattice.row_step},
+          {"space", enum_name(noise.space)},
           {"histogram", plane_json(refs.spectra.back())},
           {"noises", noises}};
 }
 
 void read_noise(const Json& json, size_t mask_count, Manifest& manifest, IssueLog& log) {
-  warn_unknown_members(json, kPointer, {"tileSize", "rowStep", "histogram", "noises"}, log);
+  warn_unknown_members(json, kPointer, {"tileSize", "rowStep", "space", "histogram", "noises"}, log);
   if (json["noises"].size() != mask_count)
     log.add({IssueId::count_mismatch,
              {.pointer = std::string(kPointer) + "/noises"},
@@ -106,6 +107,7 @@ void read_noise(const Json& json, size_t mask_count, Manifest& manifest, IssueLo
   NoiseModel& model = manifest.bundle.noise.emplace();
   const int side = json["tileSize"].get<int>();
   model.lattice = {side * side, json["rowStep"].get<int>()};
+  model.space = enum_value<NoiseSpace>(json["space"].get<std::string>()).value();
   for (size_t k = 0; k < json["noises"].size(); ++k) {
     const Json& one = json["noises"][k];
     warn_unknown_members(one, fmt::format("{}/noises/{}", kPointer, k),

@@ -84,11 +84,10 @@ void check_tile(const Noise& noise, size_t k, IssueLog& log) {
              fmt::format("expected a variance of about {:.3g}, found {:.3g}", expected, moments.variance())});
 }
 
-void check_strength(const Scale& scale, const Noise& noise, size_t k, IssueLog& log) {
+void check_strength(const Image<V3f>& layer, const Image<float>& mask, const Noise& noise, size_t k, IssueLog& log) {
   Moments moments;
-  const Image<float>& mask = scale.masks[k];
   for (size_t i = 0; i < mask.size(); ++i)
-    if (mask.data()[i] > 0.5f) moments.add(scale.exemplar.data()[i] - scale.structure->data()[i], 1);
+    if (mask.data()[i] > 0.5f) moments.add(layer.data()[i], 1);
   const double expected = power_of(noise);
   if (moments.weight > 0 && is_far(moments.variance(), expected))
     log.add({IssueId::noise_strength,
@@ -133,8 +132,11 @@ void check_noise(const LoadedBundle& loaded, IssueLog& log) {
       check_spectrum(channel.spectrum, ref.file, ref.shape.part, log);
     check_axes(noises[k].basis, k, log);
     check_tile(noises[k], k, log);
-    if (has_both_layers(loaded, finest)) check_strength(loaded.bundle.scales[finest], noises[k], k, log);
   }
+  if (!has_both_layers(loaded, finest)) return;
+  const Scale& scale = loaded.bundle.scales[finest];
+  const Image<V3f> layer = noise_layer(scale.exemplar, *scale.structure, loaded.bundle.noise->space);
+  for (size_t k = 0; k < noises.size(); ++k) check_strength(layer, scale.masks[k], noises[k], k, log);
 }
 
 }  // namespace texbake

@@ -110,10 +110,15 @@ void write_folder(const std::string& texture_script, const fs::path& folder) {
 }  // namespace
 
 std::string web_texture_script(const EvaluatorPlanes& planes) {
-  Json texture = {{"semantics", kSemantics},           {"size", {planes.size.x, planes.size.y}},
-                  {"patch_count", planes.patch_count}, {"content_count", planes.content_count},
-                  {"noise_step", planes.noise_step},   {"noise_log2", {planes.noise_log2.x, planes.noise_log2.y}},
-                  {"level_count", planes.level_count}, {"first_level", planes.first_level}};
+  Json texture = {{"semantics", kSemantics},
+                  {"size", {planes.size.x, planes.size.y}},
+                  {"patch_count", planes.patch_count},
+                  {"content_count", planes.content_count},
+                  {"noise_step", planes.noise_step},
+                  {"noise_root", planes.noise_root},
+                  {"noise_log2", {planes.noise_log2.x, planes.noise_log2.y}},
+                  {"level_count", planes.level_count},
+                  {"first_level", planes.first_level}};
   Json& json = texture["planes"];
   json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
   json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
@@ -134,6 +139,7 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
   Json texture = {{"semantics", kSemantics},
                   {"scales", Json::array()},
                   {"noise_step", planes.noise_step},
+                  {"noise_root", planes.noise_root},
                   {"noise_log2", {planes.noise_log2.x, planes.noise_log2.y}}};
   for (int s = 0; s < planes.scale_count(); ++s) {
     const V2i size = planes.sizes[static_cast<size_t>(s)];

@@ -4,9 +4,10 @@ uniform isampler2D contents;     // RGBA32I  N_t x P  t.x + 65536 t.y, 65536 lam
 uniform isampler2D centers;      // RGBA32I  P x 1    c.x, c.y, 0, 0
 uniform sampler2D base;          // RGBA32F or RGBA16F  W x H
 uniform usampler2D masks;        // RGBA16UI W x H    weights of four noises in 1/2048
-uniform sampler2D noise_tiles;   // RGBA32F or RGBA16F  2T x K R: the noises, one below the other, and their levels
+uniform sampler2D noise_tiles;   // RGBA32F or RGBA16F  3T x K R: the noises, one below the other, and their levels
 uniform ivec2 noise_log2;        // log2 of T and R
 uniform int noise_step;          // values from a row of texels to the next, odd; 0 without noise
+uniform int noise_root;          // 1: added to the square root of light, 0: to light
 uniform ivec2 tile_size;         // W, H
 uniform uint content_count;      // N_t
 uniform uint seed;

@@ -134,14 +134,14 @@ Texel middle_of(Texel block, Grid grid) {
   return texel;
 }
 
-// Of the structure with the means of the noises, which are in its shares; what else they have is added last.
+// Of what structure and noises show on the average, which is in the shares; what the noises have beside it is added last.
 vec4 block_value(sampler2D plane, int kind, sampler2D values, Texel block, Grid grid) {
   if (grid.corner.x < 0) return texel_value(plane, kind, values, block);
   uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
   bool has_noise = kind == 4 && noise_step != 0 && grid.noise >= 0;
   Shares shares = shares_of(values, found, block.tile, has_noise);
   if (!has_noise) return shares.value;
-  return with_noise(shares.value, shares.weights, noise_level_place(middle_of(block, grid), grid.noise));
+  return with_noise_level(shares.value, shares.weights, noise_level_place(middle_of(block, grid), grid.noise));
 }
 
 // The block in which a place lies, and how far into it, in 1/256 of its side. `place` >= 0 is in 1/256 texel.

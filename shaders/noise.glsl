@@ -2,7 +2,7 @@
 // Based on: Guingo et al. 2017, eq. 2 and 6. Needs sample.glsl and, bound as README.md says,
 //   masks (weights of up to four noises in 1/2048), noise_tiles (the noises, one below the other, the levels of detail
 //   of each to its right), noise_log2 (log2 of the values of a noise in a row of noise_tiles, and of its rows), noise_step
-//   (odd; 0 without noise).
+//   (odd; 0 without noise), noise_root (1 where noise is added to the square root of light, 0 where to light).
 
 // Where noise_tiles has what a noise shows at the block (x, y) of 2^level x 2^level texels. Its values follow one another
 // along a row of blocks, in the next row noise_step further, and after the last comes the first: neighbours are
@@ -51,15 +51,55 @@ vec4 noise_value(int k, ivec2 place) {
   return texelFetch(noise_tiles, ivec2(place.x, place.y + (k << noise_log2.y)), 0);
 }
 
-// A weight has at most 13 significant bits, a noise, being a half float, 11: their product is exact, so that neither a
-// fused multiply-add nor another order of factors changes a bit. Noises of weight 0 are not fetched.
-vec4 with_noise(vec4 structure, uvec4 weights, ivec2 place) {
+// The noises at a place, weighed. A weight has at most 13 significant bits, a noise, being a half float, 11: their product
+// is exact, so that neither a fused multiply-add nor another order of factors changes a bit. Noises of weight 0 are not
+// fetched.
+vec4 weighed_noise(uvec4 weights, ivec2 place) {
   const float per_2048 = 0.00048828125f;
-  PRECISE vec4 sum = structure;
+  PRECISE vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   if (weights.x != 0u) sum = sum + noise_value(0, place) * (float(weights.x) * per_2048);
   if (weights.y != 0u) sum = sum + noise_value(1, place) * (float(weights.y) * per_2048);
   if (weights.z != 0u) sum = sum + noise_value(2, place) * (float(weights.z) * per_2048);
   if (weights.w != 0u) sum = sum + noise_value(3, place) * (float(weights.w) * per_2048);
+  return sum;
+}
+
+// 2 sqrt(x), 0 where x < 0, within 5e-6 of itself: two steps of Newton's method from a guess by the exponent's half, in
+// additions and products alone, which are exact on every machine.
+float twice_root(float x) {
+  if (x <= 0.0f) return 0.0f;
+  PRECISE float half_x = 0.5f * x;
+  PRECISE float y = uintBitsToFloat(1597463007u - (floatBitsToUint(x) >> 1u));  // 1 / sqrt(x) within 4 %
+  for (int step = 0; step < 2; ++step) {
+    PRECISE float bend = half_x * y;
+    PRECISE float excess = bend * y;
+    PRECISE float factor = 1.5f - excess;
+    y = y * factor;
+  }
+  PRECISE float root = x * y;
+  return root + root;
+}
+
+vec4 twice_roots(vec4 light) { return vec4(twice_root(light.x), twice_root(light.y), twice_root(light.z), 0.0f); }
+
+// Structure and noise at one texel: their sum or, in the square root, (sqrt(structure) + noise)^2.
+vec4 with_noise(vec4 structure, uvec4 weights, ivec2 place) {
+  vec4 noise = weighed_noise(weights, place);
+  PRECISE vec4 change = noise;
+  if (noise_root != 0) change = noise * (twice_roots(structure) + noise);
+  PRECISE vec4 sum = structure + change;
+  return sum;
+}
+
+// The same over a block. `mean` is what it shows on the average over all places; what the noises have there beside their
+// means is at `place`, and what their squares have is as far to the right as a noise is wide.
+vec4 with_noise_level(vec4 mean, uvec4 weights, ivec2 place) {
+  PRECISE vec4 change = weighed_noise(weights, place);
+  if (noise_root != 0) {
+    change = change * twice_roots(mean);
+    change = change + weighed_noise(weights, ivec2(place.x + (1 << noise_log2.x), place.y));
+  }
+  PRECISE vec4 sum = mean + change;
   return sum;
 }
 

@@ -7,6 +7,7 @@ uniform usampler2D masks;           // RGBA16UI  of the finest scale, as are the
 uniform sampler2D noise_tiles;      // RGBA32F or RGBA16F
 uniform usampler2D level_weights;   // RGBA16UI  of its values of base_levels, with their gains
 uniform ivec2 noise_log2;
+uniform int noise_root;
 uniform int finest_noise_step;      // noise_step of the finest scale; 0 without noise
 uniform isampler2D fragment_plane;  // RGBA16I  way to the fragment's centre x, y; class of the fragment, of the texel
 uniform sampler2D local_mean;       // RGBA32F  where a scale subtracts a local mean

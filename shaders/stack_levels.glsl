@@ -101,7 +101,8 @@ vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
     if (has_noise) weights = weights + texelFetch(level_weights, place, 0);
     if (by_fragment) taken = taken + taken_by_fragments(scale, number, block.tile, share, coarser_share);
   }
-  if (has_noise) whole = with_noise(whole, weights, noise_level_place(middle_of(block, grid), grid.noise));
+  if (has_noise && is_texel) whole = with_noise(whole, weights, noise_place(block));
+  else if (has_noise) whole = with_noise_level(whole, weights, noise_level_place(middle_of(block, grid), grid.noise));
   vec4 own = share == 1.0f ? whole : share == 0.0f ? dominant : lerp(dominant, whole, share);
   if (scale > 0 && !by_fragment) {
     vec4 coarse = taken_as_whole(scale, block, grid, share, coarser_share);

@@ -56,6 +56,7 @@ class InfiniteStack extends InfiniteTexture {
     gl.uniform1ui(uniform('stack_seed'), seed);
     gl.uniform2iv(uniform('noise_log2'), this.texture.noise_log2);
     gl.uniform1i(uniform('finest_noise_step'), this.texture.noise_step);
+    gl.uniform1i(uniform('noise_root'), this.texture.noise_root);
     gl.uniform4uiv(uniform('nesting'), nesting.tiles);
     gl.uniform2iv(uniform('nesting_offset'), nesting.offsets);
     this.setOrigin(uniform, {x: floorDivided(origin.x, texels), y: floorDivided(origin.y, texels)}, this.scales[view.scale].size);

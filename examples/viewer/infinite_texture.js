@@ -118,6 +118,7 @@ class InfiniteTexture {
     gl.uniform1ui(uniform('content_count'), this.texture.content_count);
     gl.uniform2i(uniform('noise_log2'), this.texture.noise_log2[0], this.texture.noise_log2[1]);
     gl.uniform1i(uniform('noise_step'), this.texture.noise_step);
+    gl.uniform1i(uniform('noise_root'), this.texture.noise_root);
     gl.uniform1i(uniform('plane_kind'), this.texture.noise_step ? 4 : 0);
     gl.uniform1i(uniform('level_count'), this.texture.level_count);
     gl.uniform1i(uniform('first_level'), this.texture.first_level);

@@ -12,18 +12,6 @@ using glsl::vec4;
 
 constexpr float kSteps = 2048;  ///< what the weights of a texel sum to
 
-std::vector<vec4> means_of_noises(const EvaluatorPlanes& planes) {
-  std::vector<vec4> means;
-  const V2i size(1 << planes.noise_log2.x, 1 << planes.noise_log2.y);
-  for (int first_row = 0; first_row < planes.noise_tiles.height(); first_row += size.y) {
-    LevelSum sum;
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) sum.add(planes.noise_tiles(x, first_row + y));
-    means.push_back(sum.over(double{1} * size.x * size.y));
-  }
-  return means;
-}
-
 /// What a texel's own patch shows there with `content`.
 vec4 texel_weights(const EvaluatorPlanes& planes, V2i p, int content) {
   glsl::Program program = program_of(planes, 0);
@@ -56,15 +44,6 @@ Image<glsl::MaskTexel> in_steps(const Image<vec4>& weights) {
     rounded.data()[i] = {{steps(of.x), steps(of.y), steps(of.z), steps(of.w)}};
   }
   return rounded;
-}
-
-void add_noise_means(const EvaluatorPlanes& planes, const Image<vec4>& weights, ImageView<vec4> values) {
-  const std::vector<vec4> means = means_of_noises(planes);
-  for (size_t i = 0; i < weights.size(); ++i) {
-    const vec4& of = weights.data()[i];
-    const float weight[4] = {of.x, of.y, of.z, of.w};
-    for (size_t k = 0; k < means.size(); ++k) values.data()[i] = values.data()[i] + means[k] * weight[k];
-  }
 }
 
 void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, Image<vec4>& weights) {

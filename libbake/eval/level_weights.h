@@ -14,11 +14,8 @@ Image<glsl::vec4> level_weights(const EvaluatorPlanes& planes, const LevelLists&
 /// bound.
 Image<glsl::MaskTexel> in_steps(const Image<glsl::vec4>& weights);
 
-/// Adds to every share, and to the mean, the means of the noises times its weights.
-void add_noise_means(const EvaluatorPlanes& planes, const Image<glsl::vec4>& weights, ImageView<glsl::vec4> values);
-
-/// Sets those of the texels that are several patches' where borders are soft. Their noise has its mean, that of blocks
-/// has not: to be added after the means.
+/// Sets those of the texels that are several patches' where borders are soft. They are drawn
+/// as texels are.
 void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, Image<glsl::vec4>& weights);
 
 }  // namespace texbake

@@ -93,6 +93,36 @@ class TexelValues {
   mutable glsl::Program program_;  ///< what is called here of the text writes nothing
 };
 
+/// What texels show of the structure, as shares, with what noise adds on the average, which belongs to their own patch.
+class StructureValues {
+ public:
+  StructureValues(const EvaluatorPlanes& planes, const TexelValues& texels) : planes_(planes), texels_(texels) {}
+
+  vec4 operator()(V2i p, uint32_t k, int content) const {
+    const vec4 share = texels_(p, k, content);
+    if (k > 0) return share;
+    const PatchTexel& owned = planes_.patch_plane(p.x, p.y);
+    const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
+    const glsl::Source source = program_.source_of({{0, 0}, {p.x, p.y}}, decision);
+    const vec4 structure = program_.source_value(program_.base, source);
+    const Imath::V3d change =
+        planes_.noise_mean.change({structure.x, structure.y, structure.z}, shares_of(program_.source_weights(source))) *
+        double{planes_.noise_gain.empty() ? 1 : planes_.noise_gain(source.nearest.x, source.nearest.y)};
+    return share + vec4(static_cast<float>(change.x), static_cast<float>(change.y), static_cast<float>(change.z), 0);
+  }
+
+ private:
+  static Imath::V4f shares_of(const glsl::uvec4& weights) {
+    return Imath::V4f(static_cast<float>(weights.x), static_cast<float>(weights.y), static_cast<float>(weights.z),
+                      static_cast<float>(weights.w)) /
+           2048.0f;
+  }
+
+  const EvaluatorPlanes& planes_;
+  const TexelValues& texels_;
+  mutable glsl::Program program_ = program_of(planes_, 0);  ///< what is called here of the text writes nothing
+};
+
 }  // namespace
 
 int value_rows(const LevelLists& lists, const EvaluatorPlanes& planes) {
@@ -110,12 +140,13 @@ void fill_levels(const LevelLists& lists, const Plane& plane, EvaluatorPlanes& p
   std::fill(values.begin() + count, values.end(), vec4{0, 0, 0, 0});
   TexelValues texels(planes, plane, lists, values);
   texels.fill_soft_texels();
-  LevelShares(lists, planes.content_count, values, texels).fill();
   if (plane.kind == MapKind::structure) {
+    LevelShares(lists, planes.content_count, values, StructureValues(planes, texels)).fill();
     Image<vec4> weights = level_weights(planes, lists);
-    add_noise_means(planes, weights, values);
     add_texel_weights(planes, lists, weights);
     planes.level_weights = in_steps(weights);
+  } else {
+    LevelShares(lists, planes.content_count, values, texels).fill();
   }
 }
 

@@ -20,24 +20,25 @@ Image<V3d> halved_noise(const Image<V3d>& finer, int row_step) {
   return coarser;
 }
 
-void fill_noise_levels(Image<glsl::vec4>& noise_tiles, V2i size, int row_step, int first_row) {
+void fill_noise_levels(Image<glsl::vec4>& noise_tiles, V2i size, int row_step, V2i first,
+                       const std::function<V3d(const V3d&)>& value) {
   Image<V3d> blocks(size.x, size.y);
   V3d mean(0);
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x) {
-      const glsl::vec4& v = noise_tiles(x, first_row + y);
-      blocks(x, y) = V3d(double{v.x}, double{v.y}, double{v.z});
+      const glsl::vec4& v = noise_tiles(x, first.y + y);
+      blocks(x, y) = value(V3d(double{v.x}, double{v.y}, double{v.z}));
       mean += blocks(x, y);
     }
   mean /= static_cast<double>(blocks.size());
 
-  int row = first_row;
+  int row = first.y;
   while (blocks.height() > 1) {
     blocks = halved_noise(blocks, row_step);
     for (int y = 0; y < blocks.height(); ++y)
       for (int x = 0; x < size.x; ++x) {
         const V3f rest = half_exact(V3f(blocks(x, y) - mean));
-        noise_tiles(size.x + x, row + y) = {rest.x, rest.y, rest.z, 0};
+        noise_tiles(first.x + x, row + y) = {rest.x, rest.y, rest.z, 0};
       }
     row += blocks.height();
   }

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "libbake/base/image.h"
+#include "libbake/color/noise_space.h"
 #include "libbake/color/palette.h"
 #include "libbake/content/content.h"
 #include "libbake/eval/glsl.h"
+#include "libbake/eval/noise_mean.h"
 #include "libbake/segment/fragment.h"
 #include "libbake/segment/patch.h"
 
@@ -43,6 +45,7 @@ struct NoiseInput {
   /// One for each mask, half-exact: the values of the noise in reading order; width and height are powers of two.
   std::vector<ImageView<const V3f>> tiles;
   int row_step = 0;  ///< odd: texel (x, y) shows value (x + row_step · y) mod width · height
+  NoiseSpace space = NoiseSpace::root;
 };
 
 /// What `prepare` reads. Only the base is required: without patches the tile repeats unchanged, without contents every
@@ -83,6 +86,8 @@ struct EvaluatorPlanes {
   std::vector<Plane> maps;
   V2i noise_log2{0, 0};           ///< log2 of the width and height of the noises
   int noise_step = 0;             ///< row_step; 0 without noise
+  int noise_root = 0;             ///< 1 where noise is added to the square root of light
+  NoiseMean noise_mean;           ///< of the noises
   Image<glsl::MaskTexel> masks;   ///< RGBA16UI, in 1/2048; one texel without noise
   Image<glsl::vec4> noise_tiles;  ///< one below the other, their levels of detail (noise_levels.h) to the right,
                                   ///< RGBA32F (or RGBA16F); one texel without noise

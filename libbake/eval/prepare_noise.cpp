@@ -2,13 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
+#include "libbake/base/parallel.h"
 #include "libbake/eval/noise_levels.h"
+#include "libbake/eval/noise_mean.h"
 
 namespace texbake {
+
+using Imath::V3d;
+
 namespace {
 
 constexpr int kSteps = 2048;  // of a weight: 2^11, so that its product with a half float is exact in a float
@@ -59,9 +66,12 @@ Image<glsl::MaskTexel> mask_plane(const NoiseInput& input, V2i size) {
   return plane;
 }
 
+/// The noises, one below the other, with room for their levels: one column, and where they are added to the square
+/// root of light, another one for their squares'.
 Image<glsl::vec4> stacked(const NoiseInput& input) {
   const V2i size(input.tiles.front().width(), input.tiles.front().height());
-  Image<glsl::vec4> stack(2 * size.x, size.y * static_cast<int>(input.tiles.size()), {0, 0, 0, 0});
+  const int columns = input.space == NoiseSpace::root ? 3 : 2;
+  Image<glsl::vec4> stack(columns * size.x, size.y * static_cast<int>(input.tiles.size()), {0, 0, 0, 0});
   for (size_t k = 0; k < input.tiles.size(); ++k) {
     const int first_row = static_cast<int>(k) * size.y;
     for (int y = 0; y < size.y; ++y)
@@ -69,9 +79,45 @@ Image<glsl::vec4> stacked(const NoiseInput& input) {
         const V3f color = half_exact(input.tiles[k](x, y));
         stack(x, first_row + y) = {color.x, color.y, color.z, 0};
       }
-    fill_noise_levels(stack, size, input.row_step, first_row);
   }
   return stack;
+}
+
+/// What a block of a level has for √s is √(s + c), s the structure's mean there and c what noise adds to it on the
+/// average: √s / √(s + c), over all texels by their weight of noise k.
+V3d root_share(const EvaluatorPlanes& planes, size_t k) {
+  V3d structure(0);
+  V3d whole(0);
+  const auto roots = [](const V3d& light) {
+    const auto root = [](double v) { return std::sqrt(std::max(v, 0.0)); };
+    return V3d(root(light.x), root(light.y), root(light.z));
+  };
+  Imath::V4f alone(0);
+  alone[static_cast<int>(k)] = 1;
+  for (size_t i = 0; i < planes.masks.size(); ++i) {
+    const double weight = planes.masks.data()[i].weights[k];
+    if (weight == 0) continue;
+    const glsl::vec4& v = planes.base.texels.data()[i];
+    const V3f light(v.x, v.y, v.z);
+    structure += roots(V3d(light)) * weight;
+    whole += roots(V3d(light) + planes.noise_mean.change(light, alone)) * weight;
+  }
+  const auto ratio = [](double part, double all) { return all > 0 ? part / all : 1.0; };
+  return {ratio(structure.x, whole.x), ratio(structure.y, whole.y), ratio(structure.z, whole.z)};
+}
+
+void fill_levels(int count, EvaluatorPlanes& planes) {
+  const V2i size(1 << planes.noise_log2.x, 1 << planes.noise_log2.y);
+  parallel_for(0, count, [&](int k) {
+    const bool in_root = planes.noise_root != 0;
+    const V3d share = in_root ? root_share(planes, static_cast<size_t>(k)) : V3d(1);
+    const int row = k * size.y;
+    fill_noise_levels(planes.noise_tiles, size, planes.noise_step, {size.x, row},
+                      [&](const V3d& v) { return v * share; });
+    if (in_root)
+      fill_noise_levels(planes.noise_tiles, size, planes.noise_step, {2 * size.x, row},
+                        [](const V3d& v) { return v * v; });
+  });
 }
 
 }  // namespace
@@ -87,8 +133,11 @@ void add_noise(const std::optional<NoiseInput>& input, EvaluatorPlanes& planes) 
   planes.base.kind = MapKind::structure;
   planes.noise_log2 = {log2_of(input->tiles.front().width()), log2_of(input->tiles.front().height())};
   planes.noise_step = input->row_step;
+  planes.noise_root = input->space == NoiseSpace::root ? 1 : 0;
+  planes.noise_mean = NoiseMean(input->tiles, input->space);
   planes.masks = mask_plane(*input, planes.size);
   planes.noise_tiles = stacked(*input);
+  fill_levels(static_cast<int>(input->tiles.size()), planes);
 }
 
 }  // namespace texbake

@@ -16,6 +16,7 @@ struct Program {
   sampler2D noise_tiles;
   ivec2 noise_log2{0, 0};
   int noise_step = 0;
+  int noise_root = 0;
   isampler2D level_table;
   Sampler<LevelBlock> level_blocks;
   usampler2D level_entries;

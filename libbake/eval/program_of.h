@@ -23,6 +23,7 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   program.noise_tiles = sampler_of(planes.noise_tiles);
   program.noise_log2 = {planes.noise_log2.x, planes.noise_log2.y};
   program.noise_step = planes.noise_step;
+  program.noise_root = planes.noise_root;
   program.level_table = sampler_of(planes.level_table);
   program.level_blocks = sampler_of(planes.level_blocks);
   program.level_entries = sampler_of(planes.level_entries);

@@ -1,6 +1,7 @@
 #include "libbake/eval/scale_detail.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "libbake/color/luv.h"
 
@@ -37,16 +38,24 @@ Imath::V3d mean_of(ImageView<const V3f> colors) {
   return mean;
 }
 
-/// The base, with the means of the noises by their masks.
+/// The base, with what its noises add on the average.
 Image<V3f> mean_base(const EvaluatorInput& input) {
   Image<V3f> base = times(input.base, V3f(1));
   if (!input.noise) return base;
-  for (size_t k = 0; k < input.noise->tiles.size(); ++k) {
-    const V3f mean(mean_of(input.noise->tiles[k]));
-    for (int y = 0; y < base.height(); ++y)
-      for (int x = 0; x < base.width(); ++x) base(x, y) += mean * input.noise->masks[k](x, y);
-  }
+  const NoiseMean noise(input.noise->tiles, input.noise->space);
+  for (int y = 0; y < base.height(); ++y)
+    for (int x = 0; x < base.width(); ++x) {
+      Imath::V4f weights(0);
+      for (size_t k = 0; k < input.noise->masks.size(); ++k) weights[static_cast<int>(k)] = input.noise->masks[k](x, y);
+      base(x, y) += V3f(noise.change(base(x, y), weights));
+    }
   return base;
+}
+
+/// What a noise is multiplied with where its light is by `strength`.
+V3f in_space(const V3f& strength, NoiseSpace space) {
+  if (space == NoiseSpace::linear) return strength;
+  return {std::sqrt(strength.x), std::sqrt(strength.y), std::sqrt(strength.z)};
 }
 
 /// With the gains of the scale's classes.
@@ -73,7 +82,8 @@ EvaluatorPlanes strong_planes(const StackScale& scale) {
   input.base = base;
   std::vector<Image<V3f>> noises;
   if (input.noise) {
-    for (const auto& tile : input.noise->tiles) noises.push_back(times(tile, scale.strength));
+    for (const auto& tile : input.noise->tiles)
+      noises.push_back(times(tile, in_space(scale.strength, input.noise->space)));
     input.noise->tiles.assign(noises.begin(), noises.end());
   }
   return prepare(input);

@@ -109,6 +109,7 @@ class StackBuilder {
     EvaluatorPlanes& finest = planes_.back();
     stack_.noise_log2 = finest.noise_log2;
     stack_.noise_step = finest.noise_step;
+    stack_.noise_root = finest.noise_root;
     stack_.masks = std::move(finest.masks);
     stack_.noise_tiles = std::move(finest.noise_tiles);
     stack_.scale_table = table_of(scales_, glsl::ivec4{0, 0, 0, 0});
@@ -228,6 +229,7 @@ glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 r
   program.noise_tiles = sampler_of(planes.noise_tiles);
   program.noise_log2 = {planes.noise_log2.x, planes.noise_log2.y};
   program.finest_noise_step = planes.noise_step;
+  program.noise_root = planes.noise_root;
   program.fragment_plane = sampler_of(planes.fragment_plane);
   program.local_mean = sampler_of(planes.local_mean);
   program.scale_table = program.centers = program.level_table = sampler_of(planes.scale_table);

@@ -33,6 +33,7 @@ struct StackPlanes {
   Image<glsl::vec4> local_mean;
   V2i noise_log2{0, 0};  ///< this and the next three: of the finest scale, as in EvaluatorPlanes
   int noise_step = 0;
+  int noise_root = 0;
   Image<glsl::MaskTexel> masks;
   Image<glsl::vec4> noise_tiles;
   Image<glsl::ivec4> scale_table;  ///< with the centres of patches; add_levels appends the tables of levels

@@ -113,6 +113,7 @@ struct GlRenderer::State {
     gl.Uniform2i(program.uniform("tile_size"), planes.size.x, planes.size.y);
     gl.Uniform2i(program.uniform("noise_log2"), planes.noise_log2.x, planes.noise_log2.y);
     gl.Uniform1i(program.uniform("noise_step"), planes.noise_step);
+    gl.Uniform1i(program.uniform("noise_root"), planes.noise_root);
     gl.Uniform1ui(program.uniform("content_count"), static_cast<GLuint>(planes.content_count));
     gl.Uniform1ui(program.uniform("seed"), seed);
     gl.Uniform1i(program.uniform("level_count"), planes.level_count);

@@ -79,6 +79,7 @@ struct GlStackRenderer::State {
     gl.Uniform1ui(program.uniform("stack_seed"), seed);
     gl.Uniform2i(program.uniform("noise_log2"), planes.noise_log2.x, planes.noise_log2.y);
     gl.Uniform1i(program.uniform("finest_noise_step"), planes.noise_step);
+    gl.Uniform1i(program.uniform("noise_root"), planes.noise_root);
     gl.Uniform4uiv(program.uniform("nesting"), kMaxScales, &nesting.tiles[0].x);
     gl.Uniform2iv(program.uniform("nesting_offset"), kMaxScales, &nesting.offsets[0].x);
     gl.Uniform2ui(program.uniform("origin_tile"), x.tile, y.tile);

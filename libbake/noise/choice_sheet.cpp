@@ -31,7 +31,7 @@ Image<V3f> choice_sheet(ImageView<const V3f> exemplar, std::span<const LocalSize
     const auto place = [&](int column) { return V2i(column * pitch.x, top) + V2i(kFrame_px); };
     paste(exemplar, size, place(0), 0.0f, sheet);
     paste(candidate.structure, size, place(1), 0.0f, sheet);
-    paste(noise_layer(exemplar, candidate.structure), size, place(2), kMiddleGrey, sheet);
+    paste(noise_layer(exemplar, candidate.structure, candidate.space), size, place(2), kMiddleGrey, sheet);
     paste(candidate.synthesis, size, place(3), 0.0f, sheet);
   }
   return sheet;

@@ -18,37 +18,43 @@ constexpr double kWeakNoise = 1e-4;  // share of the variance below which there 
 constexpr float kSigma = 0.01f;      // the paper's
 constexpr double kLostDirection = 0.02;
 
-/// As the bundle stores a structure: light, so not negative, which a second pass could make it.
-void round_to_light(Image<V3f>& image) {
-  for (V3f& color : image)
-    color = half_exact(V3f(std::max(color.x, 0.0f), std::max(color.y, 0.0f), std::max(color.z, 0.0f)));
+/// A structure as the bundle stores it: light, in half floats; a second pass could make it negative.
+Image<V3f> stored(Image<V3f>& values, NoiseSpace space) {
+  for (V3f& v : values) v = V3f(std::max(v.x, 0.0f), std::max(v.y, 0.0f), std::max(v.z, 0.0f));
+  Image<V3f> light = to_light(values, space);
+  for (V3f& color : light) color = half_exact(color);
+  return light;
 }
 
-std::vector<Image<float>> make_masks(ImageView<const V3f> exemplar, const LocalSpectra& spectra,
+/// The luminance of `light` in the space in which the layers are told apart.
+Image<float> luminance_in(ImageView<const V3f> light, NoiseSpace space) {
+  return luminance(in_noise_space(light, space));
+}
+
+std::vector<Image<float>> make_masks(ImageView<const V3f> values, const LocalSpectra& spectra,
                                      const DecomposeOptions& options) {
   if (options.noises == 1) {
     std::vector<Image<float>> everywhere;
-    everywhere.emplace_back(exemplar.width(), exemplar.height(), 1.0f);
+    everywhere.emplace_back(values.width(), values.height(), 1.0f);
     return everywhere;
   }
-  const GrainFeatures features(exemplar, spectra, static_cast<double>(options.color_weight));
+  const GrainFeatures features(values, spectra, static_cast<double>(options.color_weight));
   return assign_masks(features, cluster_grain(features, options.noises, options.seed), options.masks);
 }
 
 /// structure + noise made again from its spectra.
-Image<V3f> synthesise(ImageView<const V3f> exemplar, const Image<V3f>& structure,
-                      const std::vector<Image<float>>& masks, int local_size) {
+Image<V3f> synthesis_of(ImageView<const V3f> exemplar, const Image<V3f>& structure,
+                        const std::vector<Image<float>>& masks, int local_size, NoiseSpace space) {
   EstimatePsdOptions options;
+  options.space = space;
   options.local_size = local_size;
   options.lobes = 0;
-  Image<V3f> synthesis = synthesise_noise(estimate_psd(exemplar, structure, masks, options), masks);
-  for (size_t i = 0; i < synthesis.size(); ++i) synthesis.data()[i] += structure.data()[i];
-  return synthesis;
+  return synthesise(structure, estimate_psd(exemplar, structure, masks, options), masks);
 }
 
-SynthesisTest compare(ImageView<const V3f> exemplar, const Image<V3f>& synthesis, int local_size) {
-  const Image<float> wanted = luminance(exemplar);
-  const Image<float> made = luminance(synthesis);
+SynthesisTest compare(ImageView<const V3f> exemplar, const Image<V3f>& synthesis, int local_size, NoiseSpace space) {
+  const Image<float> wanted = luminance_in(exemplar, space);
+  const Image<float> made = luminance_in(synthesis, space);
   return {local_size, energy_deviation(wanted, made), mean_coherence(wanted) - mean_coherence(made)};
 }
 
@@ -56,29 +62,30 @@ SynthesisTest compare(ImageView<const V3f> exemplar, const Image<V3f>& synthesis
 /// size and half the tolerance: at the first pass's own it would find little more than that did.
 Image<V3f> extract_again(ImageView<const V3f> exemplar, const Image<V3f>& structure, int local_size, float sigma,
                          const DecomposeOptions& options) {
-  const Image<V3f> noise = noise_layer(exemplar, structure);
+  const Image<V3f> noise = noise_layer(exemplar, structure, options.space);
   const Image<float> light = luminance(noise);
   const LocalSpectra spectra(light, std::max(2, local_size / 2));
   Image<V3f> more =
       extract_structure(noise, spectra, {.sigma = static_cast<double>(sigma) / 2.0, .iterations = options.iterations});
-  for (size_t i = 0; i < more.size(); ++i) more.data()[i] += structure.data()[i];
-  round_to_light(more);
-  return more;
+  const Image<V3f> found = in_noise_space(structure, options.space);
+  for (size_t i = 0; i < more.size(); ++i) more.data()[i] += found.data()[i];
+  return stored(more, options.space);
 }
 
 /// Structure, masks and synthesis with the sigma that `options` have.
 LocalSizeCandidate split(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options) {
-  const Image<float> light = luminance(exemplar);
+  const Image<V3f> values = in_noise_space(exemplar, options.space);
+  const Image<float> light = luminance(values);
   const LocalSpectra spectra(light, local_size);
   LocalSizeCandidate candidate;
   candidate.sigma = *options.sigma;
-  candidate.structure = extract_structure(
-      exemplar, spectra, {.sigma = static_cast<double>(candidate.sigma), .iterations = options.iterations});
-  round_to_light(candidate.structure);
-  candidate.masks =
-      make_masks(exemplar, options.mask_size ? LocalSpectra(light, *options.mask_size) : spectra, options);
-  candidate.synthesis = synthesise(exemplar, candidate.structure, candidate.masks, local_size);
-  candidate.test = compare(exemplar, candidate.synthesis, local_size);
+  candidate.space = options.space;
+  Image<V3f> structure = extract_structure(
+      values, spectra, {.sigma = static_cast<double>(candidate.sigma), .iterations = options.iterations});
+  candidate.structure = stored(structure, options.space);
+  candidate.masks = make_masks(values, options.mask_size ? LocalSpectra(light, *options.mask_size) : spectra, options);
+  candidate.synthesis = synthesis_of(exemplar, candidate.structure, candidate.masks, local_size, options.space);
+  candidate.test = compare(exemplar, candidate.synthesis, local_size, options.space);
   return candidate;
 }
 
@@ -91,14 +98,14 @@ DecomposeOptions with_sigma(ImageView<const V3f> exemplar, const DecomposeOption
   return resolved;
 }
 
-double variance_share(ImageView<const V3f> exemplar, const Image<V3f>& structure) {
-  const double noise = standard_deviation(luminance(noise_layer(exemplar, structure)));
-  const double whole = standard_deviation(luminance(exemplar));
+double variance_share(ImageView<const V3f> exemplar, const Image<V3f>& structure, NoiseSpace space) {
+  const double noise = standard_deviation(luminance(noise_layer(exemplar, structure, space)));
+  const double whole = standard_deviation(luminance_in(exemplar, space));
   return noise * noise / (whole * whole);
 }
 
-void measure(ImageView<const V3f> exemplar, Decomposition& result) {
-  result.noise_share = variance_share(exemplar, result.structure);
+void measure(ImageView<const V3f> exemplar, NoiseSpace space, Decomposition& result) {
+  result.noise_share = variance_share(exemplar, result.structure, space);
   for (const Image<float>& mask : result.masks) {
     double sum = 0.0;
     for (const float weight : mask) sum += static_cast<double>(weight);
@@ -136,7 +143,7 @@ void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& opti
     throw Error(ErrorKind::usage, fmt::format("--sharp-border takes one of the {} masks: expected --noises at most {}, "
                                               "found {}",
                                               kMaxNoises, kMaxNoises - 1, options.noises));
-  const Image<float> light = luminance(exemplar);
+  const Image<float> light = luminance_in(exemplar, options.space);
   for (const int size : {smallest, options.mask_size.value_or(smallest)})
     LocalSpectra(light, size);  // throws when it cannot be made
 }
@@ -182,13 +189,14 @@ Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& o
   if (options.second_pass == SecondPass::automatic && candidate.test.coherence_drop > kStructureInNoise) {
     const int size = result.local_size.local_size;
     result.structure = extract_again(exemplar, result.structure, size, result.sigma, options);
-    result.result = compare(exemplar, synthesise(exemplar, result.structure, result.masks, size), size);
+    const Image<V3f> synthesis = synthesis_of(exemplar, result.structure, result.masks, size, options.space);
+    result.result = compare(exemplar, synthesis, size, options.space);
     result.second_pass = true;
   }
   if (options.sharp_border_px > 0.0f)
     keep_sharp_borders(exemplar, border_band(result.masks, static_cast<double>(options.sharp_border_px)),
                        result.structure, result.masks);
-  measure(exemplar, result);
+  measure(exemplar, options.space, result);
   report(progress, 1.0);
   return result;
 }

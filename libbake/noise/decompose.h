@@ -26,6 +26,7 @@ struct EnumNames<SecondPass> {
 };
 
 struct DecomposeOptions {
+  NoiseSpace space = NoiseSpace::root;
   int noises = 3;                 ///< K
   std::optional<int> local_size;  ///< T_loc
   MaskKind masks = MaskKind::binary;
@@ -39,6 +40,9 @@ struct DecomposeOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
+    visit(self.space,
+          Field{.name = "noise-space",
+                .help = "root: layers are found in, and noise added to, the square root of light; linear: in light"});
     visit(self.noises, Field{.name = "noises",
                              .min = 1,
                              .max = kMaxNoises,
@@ -82,14 +86,15 @@ struct DecomposeOptions {
 /// The decomposition at one T_loc, for the choice by eye of BL17 Fig. 14.
 struct LocalSizeCandidate {
   float sigma = 0;
-  Image<V3f> structure;
+  NoiseSpace space = NoiseSpace::root;
+  Image<V3f> structure;  ///< light
   std::vector<Image<float>> masks;
-  Image<V3f> synthesis;  ///< structure + noise made again
+  Image<V3f> synthesis;  ///< light: structure + noise made again
   SynthesisTest test;
 };
 
 struct Decomposition {
-  Image<V3f> structure;             ///< half-exact, ≥ 0; exemplar − structure is the noise
+  Image<V3f> structure;             ///< light, half-exact, ≥ 0; noise_layer() is what the exemplar has beside it
   std::vector<Image<float>> masks;  ///< K, and one more with sharp borders; see masks.h
   LocalSizeChoice local_size;
   float sigma = 0;                    ///< that was used

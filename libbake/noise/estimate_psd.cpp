@@ -36,15 +36,16 @@ void check_input(ImageView<const V3f> exemplar, ImageView<const V3f> structure, 
 
 /// The texels each noise is measured on: the core of its cluster. Where the exemplar has no local spectra (it is too
 /// small or constant) all texels of the cluster.
-std::vector<Image<uint8_t>> measured_texels(ImageView<const V3f> exemplar, std::span<const Image<float>> masks,
-                                            const EstimatePsdOptions& options) {
-  const Image<float> light = luminance(exemplar);
+std::vector<Image<uint8_t>> measured_texels(ImageView<const V3f> exemplar, NoiseSpace space,
+                                            std::span<const Image<float>> masks, const EstimatePsdOptions& options) {
+  const Image<V3f> values = in_noise_space(exemplar, space);
+  const Image<float> light = luminance(values);
   const int local_size = options.local_size.value_or(kDefaultLocalSize);
   const bool has_spectra =
       std::min(exemplar.width(), exemplar.height()) >= 2 * local_size && standard_deviation(light) > 1e-6;
   if (options.core_share < 1.0f && has_spectra) {
     const LocalSpectra spectra(light, local_size);
-    return cluster_cores(GrainFeatures(exemplar, spectra, 1.0), masks, static_cast<double>(options.core_share));
+    return cluster_cores(GrainFeatures(values, spectra, 1.0), masks, static_cast<double>(options.core_share));
   }
   const Image<uint8_t> strongest = strongest_mask(masks);
   std::vector<Image<uint8_t>> cores;
@@ -175,9 +176,10 @@ std::vector<std::string> warnings_of(const std::vector<Noise>& noises, const Est
 
 }  // namespace
 
-Image<V3f> noise_layer(ImageView<const V3f> exemplar, ImageView<const V3f> structure) {
-  Image<V3f> noise(exemplar.width(), exemplar.height());
-  for (size_t i = 0; i < noise.size(); ++i) noise.data()[i] = exemplar.data()[i] - structure.data()[i];
+Image<V3f> noise_layer(ImageView<const V3f> exemplar, ImageView<const V3f> structure, NoiseSpace space) {
+  Image<V3f> noise = in_noise_space(exemplar, space);
+  const Image<V3f> beneath = in_noise_space(structure, space);
+  for (size_t i = 0; i < noise.size(); ++i) noise.data()[i] -= beneath.data()[i];
   return noise;
 }
 
@@ -185,12 +187,13 @@ NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> stru
                         std::span<const Image<float>> masks, const EstimatePsdOptions& options,
                         const Progress& progress) {
   check_input(exemplar, structure, masks, options);
-  const Image<V3f> layer = noise_layer(exemplar, structure);
-  std::vector<Image<uint8_t>> cores = measured_texels(exemplar, masks, options);
+  NoiseModel model;
+  model.space = options.space.value_or(NoiseSpace::root);
+  const Image<V3f> layer = noise_layer(exemplar, structure, model.space);
+  std::vector<Image<uint8_t>> cores = measured_texels(exemplar, model.space, masks, options);
   report(progress, 0.2);
 
   // Colour spaces, the later ones matched to the first.
-  NoiseModel model;
   model.noises.resize(masks.size());
   std::vector<Work> work(masks.size());
   parallel_for(0, static_cast<int>(masks.size()), [&](int i) {
@@ -230,6 +233,13 @@ Image<V3f> synthesise_noise(const NoiseModel& model, std::span<const Image<float
             tile.data()[model.lattice.index(static_cast<uint32_t>(x), static_cast<uint32_t>(y))] * masks[k](x, y);
   }
   return noise;
+}
+
+Image<V3f> synthesise(ImageView<const V3f> structure, const NoiseModel& model, std::span<const Image<float>> masks) {
+  Image<V3f> sum = in_noise_space(structure, model.space);
+  const Image<V3f> noise = synthesise_noise(model, masks);
+  for (size_t i = 0; i < sum.size(); ++i) sum.data()[i] += noise.data()[i];
+  return to_light(sum, model.space);
 }
 
 }  // namespace texbake

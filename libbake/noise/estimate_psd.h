@@ -11,6 +11,7 @@
 #include "libbake/base/options.h"
 #include "libbake/base/progress.h"
 #include "libbake/base/torus.h"
+#include "libbake/color/noise_space.h"
 #include "libbake/noise/color_basis.h"
 #include "libbake/noise/equalisation.h"
 #include "libbake/noise/lobes.h"
@@ -32,7 +33,8 @@ struct EnumNames<NoiseHistogram> {
 };
 
 struct EstimatePsdOptions {
-  int spectrum_size = 64;  ///< T, a power of two
+  std::optional<NoiseSpace> space;  ///< that of decompose; root when not set
+  int spectrum_size = 64;           ///< T, a power of two
   SpectrumEstimator estimator = SpectrumEstimator::autocovariance;
   float core_share = 0.9f;
   std::optional<int> local_size;  ///< T_loc of decompose; 8 when not set
@@ -44,6 +46,9 @@ struct EstimatePsdOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
+    visit(self.space, Field{.name = "noise-space",
+                            .help = "root: noise is added to the square root of light; linear: to light",
+                            .auto_help = "that of decompose"});
     visit(self.spectrum_size,
           Field{.name = "spectrum-size",
                 .unit = "texels",
@@ -82,7 +87,7 @@ struct EstimatePsdOptions {
 
 /// One colour channel of a noise, along one axis of its colour space.
 struct NoiseChannel {
-  Image<float> spectrum;      ///< T×T magnitudes: Σ S² is the variance
+  Image<float> spectrum;      ///< T×T magnitudes, in the noise's space: Σ S² is the variance
   LobeFit lobes;              ///< no lobes where the fit was worse than `lobe_error`; the error is kept
   Equalisation equalisation;  ///< relative to the mean; used where options.histogram says so
 };
@@ -100,8 +105,9 @@ struct NoiseFigures {
 struct Noise {
   ColorBasis basis;  ///< its mean is the mean of the noise inside the mask
   std::array<NoiseChannel, 3> channels;
-  /// Its values, linear Rec.709, half-exact, the mean included, equalised where options say so. They follow one another
-  /// in reading order: the tile is how they are stored, not a picture of the noise; the lattice says where they show.
+  /// Its values, Rec.709 in the noise's space, half-exact, the mean included, equalised where options say so. They
+  /// follow one another in reading order: the tile is how they are stored, not a picture of the noise; the lattice says
+  /// where they show.
   Image<V3f> tile;
   NoiseFigures figures;
 
@@ -109,13 +115,14 @@ struct Noise {
 };
 
 struct NoiseModel {
-  std::vector<Noise> noises;          ///< one for each mask
+  std::vector<Noise> noises;  ///< one for each mask
+  NoiseSpace space = NoiseSpace::root;
   NoiseLattice lattice;               ///< of all of them
   std::vector<std::string> warnings;  ///< fall-backs, in words
 };
 
-/// exemplar − structure.
-Image<V3f> noise_layer(ImageView<const V3f> exemplar, ImageView<const V3f> structure);
+/// exemplar − structure, both in light and taken into `space`.
+Image<V3f> noise_layer(ImageView<const V3f> exemplar, ImageView<const V3f> structure, NoiseSpace space);
 
 /// `exemplar` and `structure` in linear Rec.709, tiles of one size; `masks` as decompose makes them. A mask in which
 /// the noise is zero gets a zero spectrum and a zero tile. Throws Error(bad_data) for masks or sizes that do not fit,
@@ -124,7 +131,10 @@ NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> stru
                         std::span<const Image<float>> masks, const EstimatePsdOptions& options = {},
                         const Progress& progress = {});
 
-/// Σ_k mask_k · noise_k at every texel, without rounding: the noise layer of the exemplar, made again.
+/// Σ_k mask_k · noise_k at every texel, without rounding: the noise layer of the exemplar, made again, in its space.
 Image<V3f> synthesise_noise(const NoiseModel& model, std::span<const Image<float>> masks);
+
+/// The light of `structure` (light) with that noise.
+Image<V3f> synthesise(ImageView<const V3f> structure, const NoiseModel& model, std::span<const Image<float>> masks);
 
 }  // namespace texbake

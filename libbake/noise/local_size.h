@@ -21,7 +21,7 @@ struct LocalSizeChoice {
 };
 
 /// A coherence drop above this says that structure was left in the noise.
-inline constexpr double kStructureInNoise = 0.05;
+inline constexpr double kStructureInNoise = 0.03;
 
 /// `tested` by rising size, at least one. The largest T with r(T) ≤ r(smallest) + 0.04; + 0.10 where the coherence
 /// drops by 0.025 at most: such noise is grain without direction, and its energy differs by chance alone.

@@ -51,6 +51,21 @@ Image<V3f> reduced_noise(ImageView<const V3f> tile, int row_step, int factor) {
   return reduced;
 }
 
+V3f mean_square(ImageView<const V3f> values) {
+  Imath::V3d sum(0);
+  for (const V3f& v : values) sum += Imath::V3d(v) * Imath::V3d(v);
+  return V3f(sum / static_cast<double>(values.size()));
+}
+
+/// Of noise in the square root of light a mean over texels keeps the light of its squares, which belongs to the base
+/// once the noise itself has less of it.
+void add_lost_light(const NoiseInput& noise, ReducedTile& reduced) {
+  for (size_t k = 0; k < noise.tiles.size(); ++k) {
+    const V3f lost = mean_square(noise.tiles[k]) - mean_square(reduced.noise_tiles[k]);
+    for (size_t i = 0; i < reduced.base.size(); ++i) reduced.base.data()[i] += lost * reduced.masks[k].data()[i];
+  }
+}
+
 }  // namespace
 
 EvaluatorInput ReducedTile::input() const {
@@ -64,6 +79,7 @@ EvaluatorInput ReducedTile::input() const {
     for (const Image<float>& mask : masks) input.noise->masks.push_back(mask);
     for (const Image<V3f>& tile : noise_tiles) input.noise->tiles.push_back(tile);
     input.noise->row_step = noise_step;
+    input.noise->space = noise_space;
   }
   return input;
 }
@@ -97,6 +113,8 @@ ReducedTile reduced_tile(const EvaluatorInput& input, int factor) {
   reduced.noise_step = input.noise->row_step;
   for (const auto& tile : input.noise->tiles)
     reduced.noise_tiles.push_back(reduced_noise(tile, reduced.noise_step, factor));
+  reduced.noise_space = input.noise->space;
+  if (reduced.noise_space == NoiseSpace::root) add_lost_light(*input.noise, reduced);
   return reduced;
 }
 

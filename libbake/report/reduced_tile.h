@@ -15,6 +15,7 @@ struct ReducedTile {
   std::vector<Image<float>> masks;
   std::vector<Image<V3f>> noise_tiles;
   int noise_step = 0;
+  NoiseSpace noise_space = NoiseSpace::root;
 
   EvaluatorInput input() const;
 };

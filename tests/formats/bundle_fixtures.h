@@ -144,6 +144,7 @@ inline NoiseModel two_noises(const Image<V3f>& exemplar, const Image<V3f>& struc
   power /= static_cast<double>(exemplar.size());
   const auto deviation = static_cast<float>(std::sqrt(power / 3));
   NoiseModel model;
+  model.space = NoiseSpace::linear;
   model.lattice = {512 * 512, 12345};
   for (const int size : {8, 16}) {
     Noise& noise = model.noises.emplace_back();
@@ -281,6 +282,7 @@ inline void expect_equal(const NoiseModel& a, const NoiseModel& b) {
   ASSERT_EQ(a.noises.size(), b.noises.size());
   EXPECT_EQ(a.lattice.count, b.lattice.count);
   EXPECT_EQ(a.lattice.row_step, b.lattice.row_step);
+  EXPECT_EQ(a.space, b.space);
   for (size_t k = 0; k < a.noises.size(); ++k) {
     EXPECT_EQ(a.noises[k].basis.mean, b.noises[k].basis.mean);
     EXPECT_EQ(a.noises[k].basis.axis, b.noises[k].basis.axis);

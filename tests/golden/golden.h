@@ -54,7 +54,8 @@ struct Golden {
   std::vector<GoldenPoint> points;
 };
 
-inline const char* const kGoldenNames[] = {"plain", "moved", "turned", "noise", "levels", "noise_levels"};
+inline const char* const kGoldenNames[] = {"plain",        "moved",  "turned",      "noise",
+                                           "noise_linear", "levels", "noise_levels"};
 
 inline V3f golden_color(const nlohmann::json& json) {
   return {json.at(0).get<float>(), json.at(1).get<float>(), json.at(2).get<float>()};
@@ -90,6 +91,7 @@ struct GoldenNoise {
   std::vector<Image<float>> masks;
   std::vector<Image<V3f>> noises;
   int step = 0;
+  NoiseSpace space = NoiseSpace::root;
 };
 
 /// Masks and noises; none in a file without them.
@@ -98,6 +100,7 @@ inline GoldenNoise golden_noise(const nlohmann::json& json, V2i size) {
   if (!json.contains("noise_step")) return golden;
   const int side = json.at("noise_side");
   golden.step = json.at("noise_step");
+  golden.space = enum_value<NoiseSpace>(json.at("noise_space").get<std::string>()).value();
   for (size_t k = 0; k < json.at("noises").size(); ++k) {
     Image<float>& mask = golden.masks.emplace_back(size.x, size.y);
     for (size_t i = 0; i < mask.size(); ++i) mask.data()[i] = json.at("masks").at(k).at(i).get<float>() / 2048.0f;
@@ -130,7 +133,7 @@ inline Golden read_golden(const std::string& name) {
   const V2i size(json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>());
   Image<V3f> base(size.x, size.y);
   for (size_t i = 0; i < base.size(); ++i) base.data()[i] = golden_color(json.at("base").at(i));
-  const auto [masks, noises, step] = golden_noise(json, size);
+  const auto [masks, noises, step, space] = golden_noise(json, size);
   const PatchMap patches = golden_patches(json, size);
   const ContentTable contents = golden_contents(json, patches.partition.count());
 
@@ -140,7 +143,8 @@ inline Golden read_golden(const std::string& name) {
   input.base = base;
   input.patches = &patches;
   input.contents = &contents;
-  if (!masks.empty()) input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}, step};
+  if (!masks.empty())
+    input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}, step, space};
   golden.planes = prepare(input);
   add_levels(golden.planes);
   for (const auto& point : json.at("points")) golden.points.push_back(golden_point(point));

@@ -65,6 +65,7 @@ inline ScaleTile golden_scale(const nlohmann::json& json) {
   scale.tile.masks = std::move(noise.masks);
   scale.tile.noises = std::move(noise.noises);
   scale.tile.noise_step = noise.step;
+  scale.tile.noise_space = noise.space;
   return scale;
 }
 

@@ -105,6 +105,7 @@ Json tile_json(const SmallTile& tile) {
   if (tile.masks.empty()) return json;
   json["noise_side"] = tile.noises[0].width();
   json["noise_step"] = tile.noise_step;
+  json["noise_space"] = enum_name(tile.noise_space);
   for (size_t k = 0; k < tile.masks.size(); ++k) {
     for (const float weight : tile.masks[k]) json["masks"][k].push_back(static_cast<int>(weight * 2048));
     for (const V3f& c : tile.noises[k]) json["noises"][k].push_back(color_json(c));
@@ -293,7 +294,7 @@ bool write_stacks(const std::string& folder) {
   add_noise(noise.tiles.back().tile, 3, 32, 119);
   soft_noise.add(random_scale({16, 16}, 3, Contents::moved, 120));
   soft_noise.add(random_scale({16, 32}, 3, Contents::turned, 121), {.ratio = 4});
-  add_noise(soft_noise.tiles.back().tile, 2, 16, 121);
+  add_noise(soft_noise.tiles.back().tile, 2, 16, 121, NoiseSpace::linear);
   for (ScaleTile& scale : soft_noise.tiles) scale.tile.soft_border_px = 2;
   const auto done = [&](const char* name, const std::string& text) { return write(folder + "/" + name, text); };
   bool all = done("stack.json", stack_text_of(two));
@@ -316,6 +317,8 @@ bool write_all(const std::string& folder) {
   SmallTile noise = random_tile({24, 20}, 4, Contents::turned, 104);
   add_noise(noise, 3, 16, 104);
   all = done("noise", noise, Levels::without) && all;
+  noise.noise_space = NoiseSpace::linear;
+  all = done("noise_linear", noise, Levels::without) && all;
   all = done("levels", random_tile({16, 32}, 3, Contents::turned, 104), Levels::with) && all;
   SmallTile noise_levels = random_tile({16, 32}, 3, Contents::turned, 105);
   add_noise(noise_levels, 2, 32, 105);

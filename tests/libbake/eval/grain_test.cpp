@@ -33,7 +33,8 @@ EvaluatorPlanes planes_of(const Image<V3f>& base, const std::vector<Image<float>
   EvaluatorInput input;
   input.base = base;
   if (!tiles.empty())
-    input.noise = NoiseInput{{masks.begin(), masks.end()}, {tiles.begin(), tiles.end()}, kLattice.row_step};
+    input.noise =
+        NoiseInput{{masks.begin(), masks.end()}, {tiles.begin(), tiles.end()}, kLattice.row_step, NoiseSpace::linear};
   return prepare(input);
 }
 

@@ -13,9 +13,27 @@ class LevelPainter {
   using V4f = Imath::V4f;
 
  public:
-  /// `noise_gain`: what the noise of each texel of the tile is multiplied with; empty: 1.
-  LevelPainter(const SmallTile& tile, uint32_t seed, Image<float> noise_gain = {})
-      : tile_(tile), painter_(tile, seed), noise_gain_(std::move(noise_gain)) {}
+  /// `noise_gain`: what the noise of each texel of the tile is multiplied with; empty: 1. `structure`: the tile to
+  /// whose light the noise belongs, where `tile` has another base.
+  LevelPainter(const SmallTile& tile, uint32_t seed, Image<float> noise_gain = {}, const SmallTile* structure = nullptr)
+      : tile_(tile), painter_(tile, seed), noise_gain_(std::move(noise_gain)) {
+    const SmallTile& noisy = structure ? *structure : tile;
+    for (size_t k = 0; k < noisy.noises.size(); ++k)
+      for (int c = 0; c < 3; ++c) {
+        const auto value = [&](size_t l, size_t i) { return double{noisy.noises[l].data()[i][c]}; };
+        const auto mean = [&](const auto& of) {
+          double sum = 0;
+          for (size_t i = 0; i < noisy.noises[k].size(); ++i) sum += of(i);
+          return sum / static_cast<double>(noisy.noises[k].size());
+        };
+        means_[k][c] = mean([&](size_t i) { return value(k, i); });
+        for (size_t l = 0; l < noisy.noises.size(); ++l)
+          products_[k][l][c] = mean([&](size_t i) { return value(k, i) * value(l, i); });
+      }
+    noises_ = noisy.noises.size();
+    for (size_t k = 0; k < noises_; ++k)
+      for (int c = 0; c < 3; ++c) root_share_[k][c] = root_share(noisy, k, c);
+  }
 
   /// The point in 1/256 texel from the infinite texture's origin, between two levels, level_256 / 256 being at most the
   /// tile's last.
@@ -38,20 +56,37 @@ class LevelPainter {
     V3f sum(0);
     int steps[4] = {0, 0, 0, 0};  // of weights, in 1/2048
     for (const Shape& shape : shapes(painting, {0, 0}, side, {})) {
-      const auto structure = [&](V2i p) { return V4f(painting.structure(p.x, p.y)); };
-      const V4f shown = share(painting, shape, {0, 0}, side, structure);
+      const V4f shown = share(painting, shape, {0, 0}, side, [&](V2i p) { return V4f(with_mean_noise(painting, p)); });
       const V4f weights = share(painting, shape, {0, 0}, side, [&](V2i p) { return gained(painting, p); });
-      V3f value(shown.x, shown.y, shown.z);
-      for (size_t k = 0; k < tile_.noises.size(); ++k) {
-        const float weight = weights[static_cast<int>(k)];
-        for (int c = 0; c < 3; ++c) value[c] += static_cast<float>(noise_mean(k, c)) * weight;
-        steps[k] += static_cast<int>(std::lround(weight * 2048));
-      }
-      sum += value;
+      sum += V3f(shown.x, shown.y, shown.z);
+      for (size_t k = 0; k < tile_.noises.size(); ++k)
+        steps[k] += static_cast<int>(std::lround(weights[static_cast<int>(k)] * 2048));
     }
-    for (size_t k = 0; k < tile_.noises.size(); ++k)
-      for (int c = 0; c < 3; ++c) sum[c] += grain(k, c, x, y, side) * (static_cast<float>(steps[k]) / 2048);
+    for (int c = 0; c < 3; ++c) {
+      float grain = 0, squares = 0;
+      for (size_t k = 0; k < tile_.noises.size(); ++k) {
+        const float weight = static_cast<float>(steps[k]) / 2048;
+        const double scale = is_root() ? root_share_[k][c] : 1;
+        grain += rest(k, x, y, side, [&](const V3f& n) { return double{n[c]} * scale; }) * weight;
+        squares += rest(k, x, y, side, [&](const V3f& n) { return double{n[c]} * double{n[c]}; }) * weight;
+      }
+      sum[c] += is_root() ? grain * Painter::twice_root(sum[c]) + squares : grain;
+    }
     return sum;
+  }
+
+  /// What noise adds to `light` on the average, in double.
+  double mean_change(double light, int channel, const Imath::V4f& weights) const {
+    double sum = 0;
+    double square = 0;
+    for (size_t k = 0; k < noises_; ++k) {
+      const auto w = double{weights[static_cast<int>(k)]};
+      if (w == 0) continue;
+      sum += means_[k][channel] * w;
+      for (size_t l = 0; l < noises_; ++l)
+        square += products_[k][l][channel] * (w * double{weights[static_cast<int>(l)]});
+    }
+    return is_root() ? std::sqrt(std::max(light, 0.0)) * sum * 2 + square : sum;
   }
 
   /// The sum of what the patches under a square of side² texels show there, each averaged over it.
@@ -117,26 +152,50 @@ class LevelPainter {
     return V4f(sum / 4.0);
   }
 
-  V4f gained(const Painting& painting, V2i p) const {
+  float gain(const Painting& painting, V2i p) const {
     const V2i source = painting.source(p.x, p.y);
-    return painting.weights(p.x, p.y) * (noise_gain_.empty() ? 1 : noise_gain_(source.x, source.y));
+    return noise_gain_.empty() ? 1 : noise_gain_(source.x, source.y);
+  }
+  V4f gained(const Painting& painting, V2i p) const { return painting.weights(p.x, p.y) * gain(painting, p); }
+
+  bool is_root() const { return tile_.noise_space == NoiseSpace::root; }
+
+  V3f with_mean_noise(const Painting& painting, V2i p) const {
+    V3f light = painting.structure(p.x, p.y);
+    for (int c = 0; c < 3; ++c) {
+      const double change = mean_change(static_cast<double>(light[c]), c, painting.weights(p.x, p.y));
+      light[c] += static_cast<float>(change * static_cast<double>(gain(painting, p)));
+    }
+    return light;
   }
 
-  double noise_mean(size_t k, int channel) const {
-    double sum = 0;
-    for (const V3f& c : tile_.noises[k]) sum += double{c[channel]};
-    return sum / static_cast<double>(tile_.noises[k].size());
+  /// Σ √s / Σ √(s + change) of noise k over the tile, by its mask.
+  double root_share(const SmallTile& tile, size_t k, int channel) const {
+    double part = 0;
+    double whole = 0;
+    Imath::V4f alone(0);
+    alone[static_cast<int>(k)] = 1;
+    for (size_t i = 0; i < tile.base.size(); ++i) {
+      const double weight = double{tile.masks[k].data()[i]} * 2048;
+      const auto light = double{tile.base.data()[i][channel]};
+      if (weight == 0) continue;
+      part += std::sqrt(light) * weight;
+      whole += std::sqrt(light + mean_change(light, channel, alone)) * weight;
+    }
+    return whole > 0 ? part / whole : 1;
   }
 
-  /// What noise k has in a square beside its mean, rounded to half.
-  float grain(size_t k, int channel, int64_t x, int64_t y, int side) const {
+  /// What a function of noise k has in a square beside its mean, rounded to half.
+  template <class Of>
+  float rest(size_t k, int64_t x, int64_t y, int side, const Of& of) const {
     const Image<V3f>& noise = tile_.noises[k];
     if (side > noise.width()) return 0;
     double sum = 0;
     for (int j = 0; j < side; ++j)
-      for (int i = 0; i < side; ++i)
-        sum += double{noise.data()[painter_.noise_number(noise, x * side + i, y * side + j)][channel]};
-    return half_exact(static_cast<float>(sum / side / side - noise_mean(k, channel)));
+      for (int i = 0; i < side; ++i) sum += of(noise.data()[painter_.noise_number(noise, x * side + i, y * side + j)]);
+    double mean = 0;
+    for (const V3f& value : noise) mean += of(value);
+    return half_exact(static_cast<float>(sum / side / side - mean / static_cast<double>(noise.size())));
   }
 
   V3f bilinear(int64_t x_256, int64_t y_256, int level) const {
@@ -151,6 +210,8 @@ class LevelPainter {
   const SmallTile& tile_;
   Painter painter_;
   Image<float> noise_gain_;
+  size_t noises_ = 0;
+  double means_[4][3] = {}, products_[4][4][3] = {}, root_share_[4][3] = {};
 };
 
 }  // namespace texbake

@@ -1,6 +1,7 @@
 // The slow painter: works forward, tile by tile and patch by patch, and shares no line with the evaluator.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -52,6 +53,16 @@ class Painter {
     h = permuted(modulo(h + modulo(static_cast<uint64_t>(kx))));
     h = permuted(modulo(h + static_cast<uint64_t>(patch)));
     return static_cast<int>(h / 65536 * static_cast<uint64_t>(tile_.contents.content_count) / 65536);
+  }
+
+  /// 2 √x as shaders/README.md has it: y = 1 / √x by two steps of Newton's method, 2 x y. 0 where x is not above 0.
+  static float twice_root(float x) {
+    if (!(x > 0)) return 0;
+    const float half = x / 2;
+    float y = std::bit_cast<float>(0x5f37'59dfu - std::bit_cast<uint32_t>(x) / 2);
+    y *= 1.5f - half * y * y;
+    y *= 1.5f - half * y * y;
+    return 2 * (x * y);
   }
 
   /// Which value of a noise, in reading order, the texel (x, y) of the infinite texture shows: one more for each texel
@@ -128,13 +139,18 @@ class Painter {
  public:
   /// Noises at the texel (x, y) of the infinite texture. Products are exact in double.
   void add_noise(V3f& color, const Imath::V4f& weights, int64_t x, int64_t y) const {
+    V3f sum(0);
     for (size_t k = 0; k < tile_.noises.size(); ++k) {
       const auto weight = static_cast<double>(weights[static_cast<int>(k)]);
       const Image<V3f>& noise = tile_.noises[k];
       const V3f& value = noise.data()[noise_number(noise, x, y)];
       for (int channel = 0; channel < 3; ++channel)
-        color[channel] =
-            static_cast<float>(static_cast<double>(color[channel]) + weight * static_cast<double>(value[channel]));
+        sum[channel] =
+            static_cast<float>(static_cast<double>(sum[channel]) + weight * static_cast<double>(value[channel]));
+    }
+    for (int channel = 0; channel < 3; ++channel) {
+      const float n = sum[channel];
+      color[channel] += tile_.noise_space == NoiseSpace::root ? n * (twice_root(color[channel]) + n) : n;
     }
   }
 

@@ -21,6 +21,7 @@ struct SmallTile {
   std::vector<Image<float>> masks = {};  ///< none: no noise
   std::vector<Image<V3f>> noises = {};
   int noise_step = 0;
+  NoiseSpace noise_space = NoiseSpace::root;
   int soft_border_px = 0;
 
   V2i size() const { return {base.width(), base.height()}; }
@@ -31,7 +32,7 @@ struct SmallTile {
     input.contents = &contents;
     input.soft_border_px = soft_border_px;
     if (!masks.empty())
-      input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}, noise_step};
+      input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}, noise_step, noise_space};
     return input;
   }
   EvaluatorPlanes planes() const { return prepare(input()); }
@@ -131,7 +132,8 @@ inline std::vector<Image<V3f>> random_noises(int side, int count, uint64_t seed)
   return noises;
 }
 
-inline void add_noise(SmallTile& tile, int count, int side, uint64_t seed) {
+inline void add_noise(SmallTile& tile, int count, int side, uint64_t seed, NoiseSpace space = NoiseSpace::root) {
+  tile.noise_space = space;
   tile.masks = random_masks(tile.size(), count, seed);
   tile.noises = random_noises(side, count, seed);
   tile.noise_step = side * side * 5 / 8 + 1;

@@ -21,11 +21,11 @@ using Imath::V3d;
 V3d color_of(const vec4& v) { return {v.x, v.y, v.z}; }
 
 SmallStack noisy_stack(const ScaleTransfer& transfer, int noises, Contents kind = Contents::turned, int border_px = 0,
-                       int side = 32) {
+                       int side = 32, NoiseSpace space = NoiseSpace::root) {
   SmallStack stack;
   stack.add(random_scale({32, 16}, 3, kind, 81));
   stack.add(random_scale({side, side}, 3, kind, 82), transfer);
-  add_noise(stack.tiles.back().tile, noises, side, 82);
+  add_noise(stack.tiles.back().tile, noises, side, 82, space);
   for (ScaleTile& scale : stack.tiles) scale.tile.soft_border_px = border_px;
   return stack;
 }
@@ -145,7 +145,7 @@ TEST(StackNoise, WithoutVariationThereIsNoGrain) {
 
 TEST(StackNoise, GrainStaysWhereItIsSeen) {
   // A flat structure on flat coarse colours: what is left is the noise, whatever contents and fragments show.
-  SmallStack stack = noisy_stack({.ratio = 4}, 1);
+  SmallStack stack = noisy_stack({.ratio = 4}, 1, Contents::turned, 0, 32, NoiseSpace::linear);
   for (ScaleTile& scale : stack.tiles)
     for (V3f& color : scale.tile.base) color = V3f(0.5f);
   const Image<V3f>& noise = stack.tiles.back().tile.noises[0];
@@ -168,12 +168,13 @@ TEST(StackNoise, TheMeanOverWholeTilesIsTheCoarseColour) {
   SmallStack stack;
   stack.add(random_scale({32, 32}, 3, Contents::moved, 84));
   stack.add(random_scale({16, 16}, 1, Contents::moved, 85), {.ratio = 16, .mode = TransferMode::texel});
-  add_noise(stack.tiles.back().tile, 1, 4, 85);
+  add_noise(stack.tiles.back().tile, 1, 4, 85, NoiseSpace::linear);
   EXPECT_LT(transfer_error(stack.planes(), 1, 8).worst, 4e-6);  // values up to 8: a few roundings of 2^-23 each
 }
 
 TEST(StackNoise, RelativeDetailIsInProportionToTheCoarsestScaleGrainAndAll) {
-  SmallStack stack = noisy_stack({.ratio = 4, .detail = DetailStrength::relative}, 2, Contents::moved);
+  SmallStack stack =
+      noisy_stack({.ratio = 4, .detail = DetailStrength::relative}, 2, Contents::moved, 0, 32, NoiseSpace::linear);
   for (V3f& color : stack.tiles.front().tile.base) color = V3f(0.25f, 0.5f, 0.125f);
   const StackPlanes planes = stack.planes();
   const SmallTile& fine = stack.tiles.back().tile;
@@ -236,8 +237,8 @@ TEST(StackNoise, ABlockUnderOneNoiseIsTheMeanOfItsTexels) {
   // As in noise_levels_test.cpp: levels of noises of −0.5 … 0.5 are half floats; times a gain of 1.5.
   constexpr double kRounding = 1.5 * 0x1p-12 + 1e-5;
   for (const int border_px : {0, 2}) {
-    const StackPlanes planes =
-        leveled(noisy_stack({.ratio = 16, .detail_gains = {1.5f, 1.5f}}, 1, Contents::moved, border_px));
+    const StackPlanes planes = leveled(noisy_stack({.ratio = 16, .detail_gains = {1.5f, 1.5f}}, 1, Contents::moved,
+                                                   border_px, 32, NoiseSpace::linear));
     for (int level = 1; level <= 4; ++level)
       for (const float variation : {1.0f, 0.4f, 0.0f})
         EXPECT_LT(difference_at(planes, level, variation).worst, kRounding) << level << " " << variation;
@@ -247,8 +248,11 @@ TEST(StackNoise, ABlockUnderOneNoiseIsTheMeanOfItsTexels) {
 TEST(StackNoise, LevelsAreWithoutBiasWhateverMasksAndGains) {
   // White noise, masks and classes as fine as texels: the worst that there is. What differs in a block differs both
   // ways.
-  const SmallStack stacks[] = {noisy_stack({.ratio = 16}, 3, Contents::turned, 0, 128),
-                               noisy_stack({.ratio = 16, .detail_gains = {0.5f, 1.5f}}, 3, Contents::moved, 0, 128)};
+  SmallStack stacks[] = {
+      noisy_stack({.ratio = 16}, 3, Contents::turned, 0, 128),
+      noisy_stack({.ratio = 16, .detail_gains = {0.5f, 1.5f}}, 3, Contents::moved, 0, 128, NoiseSpace::linear)};
+  // In the root the noise is multiplied with twice that of the structure: by 1 at most, as in light.
+  for (V3f& color : stacks[0].tiles.back().tile.base) color = half_exact(color * 0.0625f);
   for (const SmallStack& stack : stacks) {
     const StackPlanes planes = leveled(stack);
     for (int level = 1; level <= 4; ++level) {

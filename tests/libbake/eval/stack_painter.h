@@ -125,7 +125,7 @@ class StackPainter {
           gained_tile(with_base(t.tile, gained(t, how, dominants, t.tile.base))),
           dominant_tile(with_base(t.tile, dominant_base(t, dominants))),
           painter(t.tile, seed),
-          whole(gained_tile, seed, gains(t, how)),
+          whole(gained_tile, seed, gains(t, how), &t.tile),
           dominant(dominant_tile, seed),
           mean_of_dominants(mean(dominant_tile.base)),
           mean_base(gained(t, how, dominants, with_noise_means(t.tile))),
@@ -133,6 +133,7 @@ class StackPainter {
       gained_tile.masks = copies(t.tile.masks);
       gained_tile.noises = copies(t.tile.noises);
       gained_tile.noise_step = t.tile.noise_step;
+      gained_tile.noise_space = t.tile.noise_space;
       if (t.tile.soft_border_px == 0) return;
       smooth_whole = smooth(gained_tile.base, t.tile.soft_border_px);
       smooth_dominant = smooth(dominant_tile.base, t.tile.soft_border_px);
@@ -188,9 +189,15 @@ class StackPainter {
   }
   static Image<V3f> with_noise_means(const SmallTile& tile) {
     Image<V3f> base = tile.base.clone();
-    for (size_t k = 0; k < tile.noises.size(); ++k) {
-      const V3f noise = mean(tile.noises[k]);
-      for (size_t i = 0; i < base.size(); ++i) base.data()[i] += noise * tile.masks[k].data()[i];
+    if (tile.noises.empty()) return base;
+    const LevelPainter painter(tile, 0);
+    for (size_t i = 0; i < base.size(); ++i) {
+      Imath::V4f weights(0);
+      for (size_t k = 0; k < tile.masks.size(); ++k) weights[static_cast<int>(k)] = tile.masks[k].data()[i];
+      for (int c = 0; c < 3; ++c) {
+        float& light = base.data()[i][c];
+        light += static_cast<float>(painter.mean_change(static_cast<double>(light), c, weights));
+      }
     }
     return base;
   }

@@ -43,6 +43,7 @@ bool near_border(const Image<uint8_t>& disc, int x, int y, int reach) {
 
 DecomposeOptions at(int local_size, int noises = 2) {
   DecomposeOptions options;
+  options.space = NoiseSpace::linear;  // of the known fields
   options.noises = noises;
   options.local_size = local_size;
   options.second_pass = SecondPass::never;
@@ -104,11 +105,26 @@ TEST(Decompose, MasksMayHaveASizeOfTheirOwn) {
 TEST(Decompose, StructureIsHalfExactAndNoiseIsTheRest) {
   const Field field(64);
   const Decomposition found = decompose(field.exemplar, at(4));
-  const Image<V3f> noise = noise_layer(field.exemplar, found.structure);
+  const Image<V3f> noise = noise_layer(field.exemplar, found.structure, NoiseSpace::linear);
   for (size_t i = 0; i < noise.size(); ++i) {
     EXPECT_EQ(half_exact(found.structure.data()[i]), found.structure.data()[i]);
     EXPECT_EQ(half_exact(found.structure.data()[i] + noise.data()[i]), field.exemplar.data()[i]);
   }
+}
+
+TEST(Decompose, InTheRootItFindsWhatItFindsInLight) {
+  // The square of a picture in the root is the picture in light, but for half floats: of the pictures 2^-11, of the
+  // structure 2^-12 of the root.
+  const Field field(64);
+  const Decomposition in_light = decompose(field.exemplar, at(4));
+  DecomposeOptions options = at(4);
+  options.space = NoiseSpace::root;
+  const Decomposition in_root = decompose(to_light(field.exemplar, NoiseSpace::root), options);
+  const Image<V3f> structure = in_noise_space(in_root.structure, NoiseSpace::root);
+  for (size_t i = 0; i < structure.size(); ++i)
+    EXPECT_NEAR(structure.data()[i].x, in_light.structure.data()[i].x, 0x1p-11f);
+  EXPECT_NEAR(in_root.noise_share, in_light.noise_share, 1e-3);
+  EXPECT_TRUE(in_root.masks[0] == in_light.masks[0]);
 }
 
 TEST(Decompose, ChoosesASizeAndTriesThemAll) {

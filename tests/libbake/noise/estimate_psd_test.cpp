@@ -36,6 +36,7 @@ struct Field {
 
 EstimatePsdOptions small() {
   EstimatePsdOptions options;
+  options.space = NoiseSpace::linear;  // of the known fields
   options.spectrum_size = 32;
   options.lobes = 2;
   options.core_share = 1.0f;
@@ -112,6 +113,21 @@ TEST(EstimatePsd, SynthesisFollowsTheMasks) {
   const Image<V3f> noise = synthesise_noise(model, field.masks);
   EXPECT_EQ(noise(3, 0), model.noises[0].tile(3, 0));
   EXPECT_EQ(noise(40, 5), model.noises[1].tile.data()[(40 + 5 * 111111) % (512 * 512)]);
+}
+
+TEST(EstimatePsd, InTheRootItFindsWhatItFindsInLight) {
+  // The square root of a square is exact, and so the two are one problem.
+  const Field field(64);
+  EstimatePsdOptions options = small();
+  const NoiseModel in_light = estimate_psd(field.exemplar, field.structure, field.masks, options);
+  options.space = NoiseSpace::root;
+  const Image<V3f> exemplar = to_light(field.exemplar, NoiseSpace::root);
+  const Image<V3f> structure = to_light(field.structure, NoiseSpace::root);
+  const NoiseModel in_root = estimate_psd(exemplar, structure, field.masks, options);
+  EXPECT_EQ(in_root.space, NoiseSpace::root);
+  for (size_t k = 0; k < 2; ++k) EXPECT_TRUE(in_root.noises[k].tile == in_light.noises[k].tile);
+  const Image<V3f> again = synthesise(structure, in_root, field.masks);
+  EXPECT_NEAR(again(3, 0).x, std::pow(0.5f + in_root.noises[0].tile(3, 0).x, 2.0f), 1e-6f);
 }
 
 TEST(EstimatePsd, DoesNotDependOnThreads) {

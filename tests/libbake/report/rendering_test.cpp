@@ -14,7 +14,7 @@ TEST(Rendering, WhatNoiseTakesBelowBlackIsBlack) {
   for (size_t i = 0; i < noise.size(); ++i) noise.data()[i] = i % 2 == 0 ? V3f(0.25f, -0.25f, 0.125f) : V3f(-0.25f);
   EvaluatorInput input;
   input.base = dark;
-  input.noise = NoiseInput{{mask}, {noise}, 161};
+  input.noise = NoiseInput{{mask}, {noise}, 161, NoiseSpace::linear};
   const Image<V3f> luv = bundle_luv(prepare(input), {2, 2}, 1);
   for (const V3f& c : luv) {
     EXPECT_GE(c.x, 0.0f);

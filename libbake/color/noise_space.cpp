@@ -1,0 +1,29 @@
+#include "libbake/color/noise_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace texbake {
+namespace {
+
+float root(float light) { return std::sqrt(std::max(light, 0.0f)); }
+
+template <class Change>
+Image<V3f> changed(ImageView<const V3f> image, const Change& change) {
+  Image<V3f> result(image.width(), image.height());
+  std::transform(image.begin(), image.end(), result.begin(), change);
+  return result;
+}
+
+}  // namespace
+
+Image<V3f> in_noise_space(ImageView<const V3f> light, NoiseSpace space) {
+  return changed(light,
+                 [&](const V3f& c) { return space == NoiseSpace::linear ? c : V3f(root(c.x), root(c.y), root(c.z)); });
+}
+
+Image<V3f> to_light(ImageView<const V3f> values, NoiseSpace space) {
+  return changed(values, [&](const V3f& c) { return space == NoiseSpace::linear ? c : c * c; });
+}
+
+}  // namespace texbake
