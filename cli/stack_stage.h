@@ -16,7 +16,7 @@ struct StackOptions {
   DetailMean detail_mean = DetailMean::tile;
   DetailStrength detail = DetailStrength::absolute;
   VariationFrom variation = VariationFrom::both;
-  float variation_fade = 2;
+  float variation_fade = 1.25f;
   std::string weights, coarse_weights, detail_gains;
 
   template <class Self, class Visitor>

@@ -64,7 +64,7 @@ struct ScaleTransfer {
   DetailMean detail_mean = DetailMean::tile;
   DetailStrength detail = DetailStrength::absolute;
   VariationFrom variation = VariationFrom::both;
-  float variation_fade = 2;         ///< ≥ 1: how much sooner than the dominant colour the variation fades
+  float variation_fade = 1.25f;     ///< ≥ 1: how much sooner than the dominant colour the variation fades
   std::vector<float> weights = {};  ///< for each class of this scale: the share of the coarse colour it takes; empty: 1
   std::vector<float> coarse_weights = {};  ///< for each class of the coarser scale: the share it gives; empty: 1
   std::vector<float> detail_gains = {};    ///< for each class of this scale: its variation times this; empty: 1

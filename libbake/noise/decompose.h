@@ -111,8 +111,8 @@ struct Decomposition {
 void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& options);
 
 /// One T_loc, first pass, without sharp borders. Where sigma is not set it is 0.01, or half of it where at 0.01 and the
-/// smallest T_loc the coherence of the synthesis drops by more than 0.02 below the exemplar's: 0.03 to 0.09 in bark,
-/// grass, moss and leaves, 0.02 at most in rust, sand and known Gaussian fields.
+/// smallest T_loc the coherence of the synthesis drops by more than 0.02 below the exemplar's: 0.02 to 0.04 in bark,
+/// rust, moss and leaves, 0.02 at most in grass, sand and known Gaussian fields.
 LocalSizeCandidate decompose_at(ImageView<const V3f> exemplar, int local_size, const DecomposeOptions& options);
 
 /// All sizes that fit the exemplar, by rising size, at one sigma.

@@ -65,8 +65,8 @@ class LocalSpectra {
  public:
   /// `luminance` must outlive this object. Throws Error(usage) unless `local_size` is one of kLocalSizes,
   /// Error(infeasible) when the luminance is constant or a side is smaller than 2 · local_size.
-  LocalSpectra(Image<float>&& luminance, int local_size) = delete;
   LocalSpectra(ImageView<const float> luminance, int local_size);
+  LocalSpectra(Image<float>&& luminance, int local_size) = delete;
 
   /// The rows y_begin … y_end − 1 of the torus; they may lie outside 0 … height − 1.
   SpectraRows rows(int y_begin, int y_end) const;
