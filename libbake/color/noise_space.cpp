@@ -6,8 +6,6 @@
 namespace texbake {
 namespace {
 
-float root(float light) { return std::sqrt(std::max(light, 0.0f)); }
-
 template <class Change>
 Image<V3f> changed(ImageView<const V3f> image, const Change& change) {
   Image<V3f> result(image.width(), image.height());
@@ -17,9 +15,13 @@ Image<V3f> changed(ImageView<const V3f> image, const Change& change) {
 
 }  // namespace
 
+Imath::V3d roots(const Imath::V3d& light) {
+  const auto root = [](double channel) { return std::sqrt(std::max(channel, 0.0)); };
+  return {root(light.x), root(light.y), root(light.z)};
+}
+
 Image<V3f> in_noise_space(ImageView<const V3f> light, NoiseSpace space) {
-  return changed(light,
-                 [&](const V3f& c) { return space == NoiseSpace::linear ? c : V3f(root(c.x), root(c.y), root(c.z)); });
+  return changed(light, [&](const V3f& c) { return space == NoiseSpace::linear ? c : V3f(roots(Imath::V3d(c))); });
 }
 
 Image<V3f> to_light(ImageView<const V3f> values, NoiseSpace space) {

@@ -19,6 +19,9 @@ struct EnumNames<NoiseSpace> {
                                                                        {NoiseSpace::linear, "linear"}};
 };
 
+/// The square root of each channel, 0 where that is below 0.
+Imath::V3d roots(const Imath::V3d& light);
+
 /// Light, linear Rec.709, in that space; its root is 0 where it is below 0.
 Image<V3f> in_noise_space(ImageView<const V3f> light, NoiseSpace space);
 

@@ -110,7 +110,7 @@ class Builder {
     const PatchTexel& owned = texels.at(p.x, p.y)[k];
     const double weight = lists_.weights.empty() ? 1.0 : double{lists_.weights[texels.first_at(p.x, p.y) + k]};
     const glsl::Texel at{{0, 0}, {p.x, p.y}};
-    const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
+    const glsl::Decision decision = decision_of(owned, content);
     const glsl::Source source = program.source_of(at, decision);
     const glsl::ivec4 labels = texelFetch(program.fragment_plane, source.nearest, 0);
     const glsl::ivec2 center = program.fragment_center(at, decision, source, labels);

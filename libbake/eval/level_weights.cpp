@@ -13,11 +13,10 @@ using glsl::vec4;
 constexpr float kSteps = 2048;  ///< what the weights of a texel sum to
 
 /// What a texel's own patch shows there with `content`.
-vec4 texel_weights(const EvaluatorPlanes& planes, V2i p, int content) {
-  glsl::Program program = program_of(planes, 0);
-  const glsl::PatchTexel& owned = planes.patch_plane(p.x, p.y);
-  const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
-  const glsl::Source source = program.source_of({{0, 0}, {p.x, p.y}}, decision);
+/// `program` is bound to `planes`; what is called here of the text writes nothing.
+vec4 texel_weights(const EvaluatorPlanes& planes, glsl::Program& program, V2i p, int content) {
+  const glsl::Source source =
+      program.source_of({{0, 0}, {p.x, p.y}}, decision_of(planes.patch_plane(p.x, p.y), content));
   const glsl::uvec4 weights = program.source_weights(source);
   const vec4 of(static_cast<float>(weights.x), static_cast<float>(weights.y), static_cast<float>(weights.z),
                 static_cast<float>(weights.w));
@@ -28,8 +27,9 @@ vec4 texel_weights(const EvaluatorPlanes& planes, V2i p, int content) {
 }  // namespace
 
 Image<vec4> level_weights(const EvaluatorPlanes& planes, const LevelLists& lists) {
+  glsl::Program program = program_of(planes, 0);
   const auto texel_share = [&](V2i p, uint32_t k, int content) {
-    return k > 0 ? vec4{0, 0, 0, 0} : texel_weights(planes, p, content);
+    return k > 0 ? vec4{0, 0, 0, 0} : texel_weights(planes, program, p, content);
   };
   Image<vec4> weights(kListWidth, list_rows(lists.count * static_cast<uint64_t>(planes.content_count)), {0, 0, 0, 0});
   LevelShares(lists, planes.content_count, weights, texel_share).fill();
@@ -47,13 +47,14 @@ Image<glsl::MaskTexel> in_steps(const Image<vec4>& weights) {
 }
 
 void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, Image<vec4>& weights) {
+  glsl::Program program = program_of(planes, 0);
   const LevelList& texels = lists.lists[0];
   for (int y = 0; y < texels.cover.size.y; ++y)
     for (int x = 0; x < texels.cover.size.x; ++x) {
       const size_t first = size_t{texels.first_at({x, y})} * static_cast<size_t>(planes.content_count);
       if (first == 0) continue;
       for (int content = 0; content < planes.content_count; ++content)
-        weights.data()[first + static_cast<size_t>(content)] = texel_weights(planes, {x, y}, content);
+        weights.data()[first + static_cast<size_t>(content)] = texel_weights(planes, program, {x, y}, content);
     }
 }
 

@@ -63,7 +63,7 @@ class TexelValues {
         vec4& share = value(first + static_cast<uint32_t>(i), content);
         share = (mean + (all - mean) * gain) * weights[i];
         // Beside colours stands what they take of a coarser scale, which has no detail.
-        if (plane_.kind == MapKind::plain || plane_.kind == MapKind::structure) share.w = all.w * weights[i];
+        if (is_plain_) share.w = all.w * weights[i];
       }
   }
 
@@ -79,8 +79,7 @@ class TexelValues {
 
   /// The same in any case.
   vec4 shown_by_text(const Image<vec4>& pixels, V2i p, const PatchTexel& owned, int content) const {
-    const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
-    const glsl::Source source = program_.source_of({{0, 0}, {p.x, p.y}}, decision);
+    const glsl::Source source = program_.source_of({{0, 0}, {p.x, p.y}}, decision_of(owned, content));
     return program_.kind_value(sampler_of(pixels), plane_kind(plane_.kind), source);
   }
 
@@ -101,9 +100,8 @@ class StructureValues {
   vec4 operator()(V2i p, uint32_t k, int content) const {
     const vec4 share = texels_(p, k, content);
     if (k > 0) return share;
-    const PatchTexel& owned = planes_.patch_plane(p.x, p.y);
-    const glsl::Decision decision{owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
-    const glsl::Source source = program_.source_of({{0, 0}, {p.x, p.y}}, decision);
+    const glsl::Source source =
+        program_.source_of({{0, 0}, {p.x, p.y}}, decision_of(planes_.patch_plane(p.x, p.y), content));
     const vec4 structure = program_.source_value(program_.base, source);
     const Imath::V3d change =
         planes_.noise_mean.change({structure.x, structure.y, structure.z}, shares_of(program_.source_weights(source))) *

@@ -1,8 +1,5 @@
 #include "libbake/eval/noise_mean.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "libbake/base/parallel.h"
 
 namespace texbake {
@@ -37,8 +34,7 @@ V3d NoiseMean::change(const V3f& structure, const Imath::V4f& weights) const {
       square += products_[k * means_.size() + l] * (weight * static_cast<double>(weights[static_cast<int>(l)]));
   }
   if (space_ == NoiseSpace::linear) return mean;
-  const auto root = [](float light) { return std::sqrt(std::max(static_cast<double>(light), 0.0)); };
-  return V3d(root(structure.x), root(structure.y), root(structure.z)) * mean * 2.0 + square;
+  return roots(V3d(structure)) * mean * 2.0 + square;
 }
 
 }  // namespace texbake

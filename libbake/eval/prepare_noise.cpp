@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
@@ -88,10 +86,6 @@ Image<glsl::vec4> stacked(const NoiseInput& input) {
 V3d root_share(const EvaluatorPlanes& planes, size_t k) {
   V3d structure(0);
   V3d whole(0);
-  const auto roots = [](const V3d& light) {
-    const auto root = [](double v) { return std::sqrt(std::max(v, 0.0)); };
-    return V3d(root(light.x), root(light.y), root(light.z));
-  };
   Imath::V4f alone(0);
   alone[static_cast<int>(k)] = 1;
   for (size_t i = 0; i < planes.masks.size(); ++i) {

@@ -36,6 +36,11 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   return program;
 }
 
+/// What a texel of level_blocks or patch_plane decides where its patch shows `content`.
+inline glsl::Decision decision_of(const glsl::PatchTexel& owned, int content) {
+  return {owned.patch_idx, content, {(owned.owner & 3) - 1, (owned.owner >> 2) - 1}};
+}
+
 /// What the text calls `kind`.
 inline int plane_kind(MapKind kind) {
   switch (kind) {

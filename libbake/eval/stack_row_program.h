@@ -10,6 +10,10 @@
 
 namespace texbake::glsl {
 
+inline bool same(const Texel& a, const Texel& b) {
+  return a.p.x == b.p.x && a.p.y == b.p.y && a.tile.x == b.tile.x && a.tile.y == b.tile.y;
+}
+
 /// Remembers coarser colours. Differs from Program in time alone. Not to be shared between threads.
 class ColorProgram : public Program {
  public:
@@ -32,10 +36,7 @@ class ColorProgram : public Program {
     int scale = -1;
     vec4 value{0, 0, 0, 0};
 
-    bool is(int of, const Texel& at) const {
-      return center.p.x == at.p.x && center.p.y == at.p.y && center.tile.x == at.tile.x && center.tile.y == at.tile.y &&
-             scale == of;
-    }
+    bool is(int of, const Texel& at) const { return same(center, at) && scale == of; }
   };
 
   static constexpr uint32_t kSlots = 1 << 10;  ///< 48 KiB: a view from near sees so many fragments
@@ -68,8 +69,8 @@ class StackRowProgram : public ColorProgram {
     vec4 value{0, 0, 0, 0};
 
     bool is(int of, const Texel& at, const Grid& grid, float share) const {
-      return block.p.x == at.p.x && block.p.y == at.p.y && block.tile.x == at.tile.x && block.tile.y == at.tile.y &&
-             corner.x == grid.corner.x && corner.y == grid.corner.y && scale == of && variation == share;
+      return same(block, at) && corner.x == grid.corner.x && corner.y == grid.corner.y && scale == of &&
+             variation == share;
     }
   };
 
