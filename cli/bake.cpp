@@ -1,11 +1,11 @@
 // texbake bake: picture or recipe → bundle, the whole chain.
 #include <memory>
 
-#include "cli/bake_request.h"
+#include "bake/bake_request.h"
+#include "bake/layer_stages.h"
+#include "bake/stages.h"
 #include "cli/convert_flags.h"
-#include "cli/layer_stages.h"
 #include "cli/stage_command.h"
-#include "cli/stages.h"
 #include "formats/bundle_io.h"
 
 namespace texbake {

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "cli/option_json.h"
-#include "cli/suggestion.h"
+#include "bake/option_json.h"
+#include "libbake/base/suggestion.h"
 
 namespace texbake {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bake/listener.h"
 #include "libbake/base/options.h"
-#include "libbake/base/progress.h"
 
 namespace texbake {
 
@@ -31,22 +31,21 @@ enum class Verbosity { quiet, normal, verbose };
 
 class ProgressLine;
 
-class Console {
+class Console : public Listener {
  public:
   Console(Verbosity verbosity, ProgressMode progress);
-  ~Console();
+  ~Console() override;
 
   void error(const std::string& text);
-  void warning(const std::string& text);  ///< also kept for the JSON result
-  void note(const std::string& text);     ///< unless quiet
-  void detail(const std::string& text);   ///< only when verbose
+  void warning(const std::string& text) override;  ///< also kept for the JSON result
+  void note(const std::string& text) override;     ///< unless quiet
+  void detail(const std::string& text) override;   ///< only when verbose
 
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Begins a step that takes time and returns what it calls to tell how far it is. Ends the step before it.
-  Progress step(const std::string& name);
+  Progress step(const std::string& name) override;
   /// Ends the running step; with -v its seconds are told.
-  void finish_step();
+  void finish_step() override;
 
  private:
   void say(const char* label, const char* color, const std::string& text);

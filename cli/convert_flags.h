@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/convert_stage.h"
+#include "bake/convert_stage.h"
 
 namespace texbake {
 

@@ -1,5 +1,5 @@
 // texbake decompose: bundle → bundle with structure and masks.
-#include "cli/layer_stages.h"
+#include "bake/layer_stages.h"
 #include "cli/stage_command.h"
 #include "formats/image_writer.h"
 

@@ -1,5 +1,5 @@
 // texbake estimate-psd: bundle → bundle with the noises of its masks.
-#include "cli/layer_stages.h"
+#include "bake/layer_stages.h"
 #include "cli/stage_command.h"
 
 namespace texbake {

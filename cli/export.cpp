@@ -3,13 +3,15 @@
 
 #include "cli/bundle_path.h"
 #include "cli/command.h"
-#include "cli/evaluator_input.h"
 #include "cli/option_flags.h"
 #include "cli/stack_drawer.h"
 #include "formats/bundle_io.h"
-#include "formats/web_export.h"
-#include "libbake/eval/levels.h"
-#include "libbake/eval/stack_levels.h"
+#include "formats/evaluator_input.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/prepare.h"
+#include "libbake/planes/prepare_stack.h"
+#include "libbake/planes/stack_levels.h"
+#include "pages/web_export.h"
 
 namespace texbake {
 namespace {

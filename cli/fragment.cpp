@@ -1,6 +1,6 @@
 // texbake fragment: bundle → bundle with fragments.
+#include "bake/stages.h"
 #include "cli/stage_command.h"
-#include "cli/stages.h"
 #include "libbake/report/choice_sheets.h"
 
 namespace texbake {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "libbake/base/options.h"
-#include "libbake/eval/relief_planes.h"
-#include "libbake/eval/stack_planes.h"
 #include "libbake/gl/parity.h"
 #include "libbake/gl/perspective_parity.h"
+#include "libbake/planes/relief_planes.h"
+#include "libbake/planes/stack_planes.h"
 
 namespace texbake {
 

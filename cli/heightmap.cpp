@@ -1,7 +1,7 @@
 // texbake heightmap: bundle + a few heights → bundle with a height map.
 #include <memory>
 
-#include "cli/heightmap_stage.h"
+#include "bake/heightmap_stage.h"
 #include "cli/option_flags.h"
 #include "cli/stage_command.h"
 #include "formats/image_writer.h"

@@ -1,7 +1,7 @@
 // texbake info: bundle → what it holds, as text, JSON or recipe.
 #include <memory>
 
-#include "cli/bake_request.h"
+#include "bake/bake_request.h"
 #include "cli/command.h"
 #include "cli/info_json.h"
 #include "formats/bundle_io.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "cli/option_text.h"
+#include "libbake/base/option_text.h"
 
 namespace texbake {
 

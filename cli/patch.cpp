@@ -1,6 +1,6 @@
 // texbake patch: bundle → bundle with patches.
+#include "bake/stages.h"
 #include "cli/stage_command.h"
-#include "cli/stages.h"
 
 namespace texbake {
 

@@ -14,8 +14,8 @@
 #include "cli/global_options.h"
 #include "cli/limits.h"
 #include "cli/signals.h"
-#include "cli/suggestion.h"
 #include "formats/safe_file.h"
+#include "libbake/base/suggestion.h"
 
 namespace texbake {
 namespace {
@@ -23,10 +23,9 @@ namespace {
 constexpr const char* kVersion = TEXBAKE_VERSION;
 
 std::vector<Command> all_commands() {
-  return {bake_command(),     convert_command(),   decompose_command(),       estimate_psd_command(),
-          fragment_command(), patch_command(),     select_contents_command(), heightmap_command(),
-          stack_command(),    render_command(),    verify_command(),          report_command(),
-          info_command(),     export_command()};
+  return {bake_command(),   convert_command(),         decompose_command(), estimate_psd_command(), fragment_command(),
+          patch_command(),  select_contents_command(), heightmap_command(), stack_command(),        render_command(),
+          verify_command(), report_command(),          info_command(),      export_command()};
 }
 
 /// How a run ended, for stdout and stderr.

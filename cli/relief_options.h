@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "cli/option_text.h"
-#include "libbake/eval/relief.h"
+#include "libbake/base/option_text.h"
+#include "libbake/planes/relief.h"
 
 namespace texbake {
 

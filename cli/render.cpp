@@ -4,16 +4,18 @@
 
 #include "cli/bundle_path.h"
 #include "cli/command.h"
-#include "cli/evaluator_input.h"
 #include "cli/gl_backend.h"
 #include "cli/option_flags.h"
 #include "cli/stack_drawer.h"
 #include "cli/view_options.h"
 #include "formats/bundle_io.h"
+#include "formats/evaluator_input.h"
 #include "formats/image_writer.h"
-#include "libbake/eval/levels.h"
-#include "libbake/eval/show.h"
-#include "libbake/eval/supersample.h"
+#include "libbake/draw/show.h"
+#include "libbake/draw/supersample.h"
+#include "libbake/draw/window_rows.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/prepare.h"
 
 namespace texbake {
 namespace {

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <memory>
 
+#include "bake/provenance.h"
 #include "cli/bundle_path.h"
 #include "cli/command.h"
-#include "cli/evaluator_input.h"
 #include "cli/option_flags.h"
-#include "cli/provenance.h"
 #include "cli/report_json.h"
 #include "formats/bundle_io.h"
-#include "formats/report_page.h"
+#include "formats/evaluator_input.h"
 #include "formats/safe_file.h"
+#include "libbake/report/report_input.h"
+#include "pages/report_page.h"
 
 namespace texbake {
 namespace {

@@ -1,8 +1,8 @@
 // texbake stack: bundles coarse … fine → one bundle of several scales.
 #include <memory>
 
+#include "bake/stack_stage.h"
 #include "cli/option_flags.h"
-#include "cli/stack_stage.h"
 #include "cli/stage_command.h"
 #include "formats/bundle_io.h"
 

@@ -2,11 +2,12 @@
 
 #include <memory>
 
-#include "cli/evaluator_input.h"
-#include "libbake/eval/relief_window.h"
-#include "libbake/eval/stack_levels.h"
-#include "libbake/eval/stack_perspective.h"
-#include "libbake/eval/supersample.h"
+#include "formats/evaluator_input.h"
+#include "libbake/draw/relief_window.h"
+#include "libbake/draw/stack_perspective.h"
+#include "libbake/draw/supersample.h"
+#include "libbake/planes/prepare_stack.h"
+#include "libbake/planes/stack_levels.h"
 
 namespace texbake {
 namespace {

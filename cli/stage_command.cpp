@@ -1,6 +1,6 @@
 #include "cli/stage_command.h"
 
-#include "cli/provenance.h"
+#include "bake/provenance.h"
 #include "formats/bundle_io.h"
 
 namespace texbake {

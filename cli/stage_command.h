@@ -29,11 +29,11 @@ Outcome change_bundle(const BundlePaths& paths, const std::string& verb, Console
 /// What a verb that has written a bundle says: its path for people, path and record of stages for programs.
 Outcome written_bundle(const std::string& path, const std::vector<Stage>& stages);
 
-/// A verb whose whole work is `run`, a function of cli/stages.h. `sheet` draws what the options of a bundle may be set
+/// A verb whose whole work is `run`, a function of bake/stages.h. `sheet` draws what the options of a bundle may be set
 /// to; nullptr for a verb without --sheet.
 template <class Options>
 Command stage_command(const std::string& verb, const std::string& summary, const std::string& example,
-                      void (*run)(Bundle&, const Options&, Console&),
+                      void (*run)(Bundle&, const Options&, Listener&),
                       Sheet (*sheet)(const Bundle&, const Options&, const Progress&) = nullptr) {
   struct Request {
     BundlePaths paths;

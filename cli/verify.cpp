@@ -5,14 +5,16 @@
 #include <memory>
 
 #include "cli/command.h"
-#include "cli/evaluator_input.h"
 #include "cli/option_flags.h"
 #include "cli/stack_drawer.h"
 #include "cli/verify_frame.h"
 #include "cli/verify_gl.h"
 #include "formats/bundle_io.h"
-#include "libbake/eval/levels.h"
-#include "libbake/eval/stack_levels.h"
+#include "formats/evaluator_input.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/prepare.h"
+#include "libbake/planes/prepare_stack.h"
+#include "libbake/planes/stack_levels.h"
 
 namespace texbake {
 namespace {

@@ -8,8 +8,9 @@
 #include "formats/frame.h"
 #include "formats/image_writer.h"
 #include "formats/json_text.h"
-#include "libbake/eval/compare.h"
-#include "libbake/eval/levels.h"
+#include "libbake/draw/compare.h"
+#include "libbake/draw/window_rows.h"
+#include "libbake/planes/levels.h"
 
 namespace texbake {
 namespace {

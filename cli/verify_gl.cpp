@@ -1,7 +1,7 @@
 #include "cli/verify_gl.h"
 
 #include "formats/json_text.h"
-#include "libbake/eval/window_part.h"
+#include "libbake/draw/window_part.h"
 
 namespace texbake {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/window_options.h"
-#include "libbake/eval/perspective.h"
+#include "libbake/draw/perspective.h"
 
 namespace texbake {
 

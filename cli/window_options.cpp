@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "cli/suggestion.h"
+#include "libbake/base/suggestion.h"
 
 namespace texbake {
 namespace {

@@ -4,9 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "cli/option_text.h"
 #include "formats/image_reader.h"
-#include "libbake/eval/window.h"
+#include "libbake/base/option_text.h"
+#include "libbake/draw/window.h"
+#include "libbake/planes/evaluator_planes.h"
 
 namespace texbake {
 

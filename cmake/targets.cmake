@@ -17,15 +17,23 @@ if(TEXBAKE_SANITIZE)
   target_compile_options(texbake_cold INTERFACE -O0)
 endif()
 
-# texbake_library(NAME [public dependencies...]): a static library of every .cpp beside the caller's CMakeLists.txt.
+# texbake_library(NAME [public dependencies...]): a static library of every .cpp beside the caller's CMakeLists.txt; of
+# headers alone where there is none.
 function(texbake_library name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  add_library(texbake_${name} STATIC ${sources})
+  set(scope PUBLIC)
+  if(sources)
+    add_library(texbake_${name} STATIC ${sources})
+    target_link_libraries(texbake_${name} PRIVATE $<BUILD_INTERFACE:texbake_flags>)
+  else()
+    set(scope INTERFACE)
+    add_library(texbake_${name} INTERFACE)
+  endif()
   add_library(texbake::${name} ALIAS texbake_${name})
   set_target_properties(texbake_${name} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(texbake_${name} PUBLIC
+  target_include_directories(texbake_${name} ${scope}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/texbake>)
-  target_link_libraries(texbake_${name} PUBLIC ${ARGN} PRIVATE $<BUILD_INTERFACE:texbake_flags>)
+  target_link_libraries(texbake_${name} ${scope} ${ARGN})
   install(TARGETS texbake_${name} EXPORT texbake-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/texbake/${folder}

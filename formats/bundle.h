@@ -10,8 +10,9 @@
 #include "libbake/base/image.h"
 #include "libbake/color/palette.h"
 #include "libbake/content/content.h"
-#include "libbake/eval/transfer.h"
 #include "libbake/noise/estimate_psd.h"
+#include "libbake/planes/transfer.h"
+#include "libbake/reference/semantics.h"
 #include "libbake/segment/fragment.h"
 #include "libbake/segment/patch.h"
 
@@ -19,7 +20,7 @@ namespace texbake {
 
 using Json = nlohmann::ordered_json;
 
-inline constexpr int kSemantics = 1;  ///< what shaders/README.md specifies
+inline constexpr const char* kManifestName = "bundle.json";
 inline constexpr const char* kBundleVersion = "1.0";
 
 /// Another picture of the same surface, travelling with the colour.
@@ -44,11 +45,11 @@ struct Scale {
   std::optional<FragmentMap> fragments;
   std::optional<PatchMap> patches;
   std::optional<ContentTable> contents;
-  int soft_border_px = 0;  ///< over how many texels on either side of their borders patches blend; 0: hard
+  int soft_border_px = 0;              ///< over how many texels on either side of their borders patches blend; 0: hard
   std::optional<Image<float>> height;  ///< 0 … 1
   std::vector<Map> maps;
   std::optional<ScaleTransfer> transfer;  ///< from the scale before; of every scale but the coarsest
-  std::optional<V2i> tile_from_source;  ///< offset of the tile in the source picture, when it is a crop
+  std::optional<V2i> tile_from_source;    ///< offset of the tile in the source picture, when it is a crop
 
   int width() const { return exemplar.width(); }
   int height_px() const { return exemplar.height(); }
@@ -73,7 +74,7 @@ struct Stage {
   int version = 1;
   Json parameters = {};    ///< every effective parameter, automatic values resolved; keys are long flags, in kebab-case
   Json figures = {};       ///< what was measured; never times; keys in camelCase
-  std::string input = {};   ///< hash of what the stage read: formats/history.h
+  std::string input = {};  ///< hash of what the stage read: formats/history.h
   std::string output = {};  ///< hash of what it wrote, as far as no later stage has replaced it
   std::string scale = {};   ///< the scale that it worked on; "" in a bundle of one scale, and for all scales
 };

@@ -1,21 +1,9 @@
 // Reads the heights that a person gave at some texels: as JSON, as CSV or as a sparse picture.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "libbake/base/torus.h"
-#include "libbake/height/heightmap.h"
+#include "formats/clicks.h"
 
 namespace texbake {
-
-struct ClickFile {
-  std::vector<HeightClick> clicks;  ///< in the order of the file; a picture's row by row
-  std::optional<V2i> picture_size;  ///< of a sparse picture
-  std::string name;                 ///< of the file, without its folder
-  std::string sha256;               ///< of its bytes
-  uint64_t size_bytes = 0;
-};
 
 /// The kind follows from the extension.
 /// .json: a list, or an object whose member "clicks" is one, of {"x": 12, "y": 34, "height": 0.5} or [12, 34, 0.5];

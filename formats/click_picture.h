@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "formats/click_file.h"
+#include "formats/clicks.h"
 
 namespace texbake {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "formats/image_reader.h"
-#include "libbake/eval/sample_steps.h"
+#include "libbake/color/sample_steps.h"
 
 namespace texbake {
 

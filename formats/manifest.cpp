@@ -108,20 +108,6 @@ Json source_json(const Source& source) {
 
 }  // namespace
 
-std::string content_hash(const PlaneRefs& refs) {
-  std::string lines;
-  std::set<std::string> seen;
-  for (const PlaneRef& ref : refs)
-    if (seen.insert(ref.shape.part).second)
-      lines += fmt::format("{} {} {} {} {} {}\n", ref.shape.part, ref.shape.width, ref.shape.height,
-                           name_of(ref.shape.type), fmt::join(ref.shape.channels, ","), ref.pixel_hash);
-  return sha256(lines);
-}
-
-std::string payload_name(const std::string& scale_name, const PlaneRefs& refs) {
-  return fmt::format("{}-{}.exr", scale_name, content_hash(refs).substr(0, 12));
-}
-
 BundleRefs plane_refs(const Bundle& bundle) {
   BundleRefs refs;
   for (const Scale& scale : bundle.scales) refs.scales.push_back(hash_planes(planes_of(scale), scale.name));

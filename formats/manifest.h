@@ -6,35 +6,11 @@
 
 #include "formats/asset.h"
 #include "formats/bundle.h"
-#include "formats/exr_planes.h"
 #include "formats/issues.h"
+#include "formats/noise_manifest.h"
+#include "formats/plane_refs.h"
 
 namespace texbake {
-
-inline constexpr const char* kManifestName = "bundle.json";
-
-/// Where a plane lies and what it must hold.
-struct PlaneRef {
-  std::string key;  ///< as ScalePlane::key
-  std::string file;
-  PlaneShape shape;
-  std::string pixel_hash;
-};
-
-/// The planes of one scale.
-using PlaneRefs = std::vector<PlaneRef>;
-
-/// The planes of the noises, in their two files; empty without noise.
-struct NoiseRefs {
-  PlaneRefs spectra;
-  PlaneRefs tiles;
-};
-
-/// The hash that names the payload file of `refs`: SHA-256 of one line for each part, in the order of the file,
-///   PART WIDTH HEIGHT TYPE CHANNEL,CHANNEL,... PIXELHASH\n
-std::string content_hash(const PlaneRefs& refs);
-/// NAME-<12 digits of the content hash>.exr
-std::string payload_name(const std::string& scale_name, const PlaneRefs& refs);
 
 /// Where all planes of a bundle lie.
 struct BundleRefs {

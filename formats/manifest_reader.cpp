@@ -10,7 +10,7 @@
 #include "formats/plane_refs.h"
 #include "formats/schema.h"
 #include "formats/transfer.h"
-#include "libbake/eval/prepare.h"
+#include "libbake/planes/prepare.h"
 
 namespace texbake {
 namespace {
@@ -246,7 +246,8 @@ Manifest parse_manifest(const Json& json, Semantics semantics, IssueLog& log) {
   manifest.bundle.semantics = json["asset"]["semantics"].get<int>();
   if (json.contains("scales") && json["scales"].is_array()) read_scales(json["scales"], manifest, log);
   if (root_is_sound("noise") && root_is_sound("scales") && !manifest.bundle.scales.empty())
-    read_noise(json["noise"], manifest.bundle.scales.back().masks.size(), manifest, log);
+    read_noise(json["noise"], manifest.bundle.scales.back().masks.size(), manifest.bundle.noise.emplace(),
+               manifest.noise_refs, log);
   if (root_is_sound("sources") && root_is_sound("stages")) read_provenance(json, manifest.bundle);
   if (root_is_sound("extensions")) manifest.bundle.extensions = json["extensions"];
   if (root_is_sound("extras")) manifest.bundle.extras = json["extras"];

@@ -4,7 +4,6 @@
 
 #include "formats/json_text.h"
 #include "formats/noise_planes.h"
-#include "formats/plane_refs.h"
 
 namespace texbake {
 namespace {
@@ -97,14 +96,13 @@ Json noise_json(const NoiseModel& noise, const NoiseRefs& refs) {
           {"noises", noises}};
 }
 
-void read_noise(const Json& json, size_t mask_count, Manifest& manifest, IssueLog& log) {
+void read_noise(const Json& json, size_t mask_count, NoiseModel& model, NoiseRefs& refs, IssueLog& log) {
   warn_unknown_members(json, kPointer, {"tileSize", "rowStep", "space", "histogram", "noises"}, log);
   if (json["noises"].size() != mask_count)
     log.add({IssueId::count_mismatch,
              {.pointer = std::string(kPointer) + "/noises"},
              fmt::format("expected {} noises, one for each mask of the finest scale, found {}", mask_count,
                          json["noises"].size())});
-  NoiseModel& model = manifest.bundle.noise.emplace();
   const int side = json["tileSize"].get<int>();
   model.lattice = {side * side, json["rowStep"].get<int>()};
   model.space = enum_value<NoiseSpace>(json["space"].get<std::string>()).value();
@@ -114,8 +112,8 @@ void read_noise(const Json& json, size_t mask_count, Manifest& manifest, IssueLo
                          {"mean", "axes", "spectrumSize", "spectrum", "tile", "channels"}, log);
     model.noises.push_back(noise_of(one));
   }
-  read_refs(json, manifest.noise_refs, log);
-  if (log.error_below(kPointer)) manifest.noise_refs = {};
+  read_refs(json, refs, log);
+  if (log.error_below(kPointer)) refs = {};
 }
 
 }  // namespace texbake

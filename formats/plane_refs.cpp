@@ -1,8 +1,10 @@
 #include "formats/plane_refs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "formats/json_text.h"
+#include "formats/sha256.h"
 #include "libbake/base/parallel.h"
 
 namespace texbake {
@@ -14,6 +16,20 @@ bool is_plain_file_name(const std::string& name) {
 }
 
 }  // namespace
+
+std::string content_hash(const PlaneRefs& refs) {
+  std::string lines;
+  std::set<std::string> seen;
+  for (const PlaneRef& ref : refs)
+    if (seen.insert(ref.shape.part).second)
+      lines += fmt::format("{} {} {} {} {} {}\n", ref.shape.part, ref.shape.width, ref.shape.height,
+                           name_of(ref.shape.type), fmt::join(ref.shape.channels, ","), ref.pixel_hash);
+  return sha256(lines);
+}
+
+std::string payload_name(const std::string& scale_name, const PlaneRefs& refs) {
+  return fmt::format("{}-{}.exr", scale_name, content_hash(refs).substr(0, 12));
+}
 
 PlaneRefs hash_planes(const std::vector<ScalePlane>& planes, const std::string& name) {
   PlaneRefs refs(planes.size());

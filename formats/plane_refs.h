@@ -3,11 +3,31 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
-#include "formats/manifest.h"
+#include "formats/bundle.h"
+#include "formats/exr_planes.h"
+#include "formats/issues.h"
 #include "formats/planes.h"
 
 namespace texbake {
+
+/// Where a plane lies and what it must hold.
+struct PlaneRef {
+  std::string key;  ///< as ScalePlane::key
+  std::string file;
+  PlaneShape shape;
+  std::string pixel_hash;
+};
+
+/// The planes of one scale.
+using PlaneRefs = std::vector<PlaneRef>;
+
+/// The hash that names the payload file of `refs`: SHA-256 of one line for each part, in the order of the file,
+///   PART WIDTH HEIGHT TYPE CHANNEL,CHANNEL,... PIXELHASH\n
+std::string content_hash(const PlaneRefs& refs);
+/// NAME-<12 digits of the content hash>.exr
+std::string payload_name(const std::string& scale_name, const PlaneRefs& refs);
 
 /// Hashes the planes and names their file, whose stem is `name`.
 PlaneRefs hash_planes(const std::vector<ScalePlane>& planes, const std::string& name);

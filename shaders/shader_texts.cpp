@@ -62,12 +62,4 @@ std::string perspective_fragment_shader(ShaderLanguage language) {
   return reference_core(language) + concatenated({"perspective_bindings.glsl", "perspective.glsl", "perspective.frag"});
 }
 
-std::string viewer_fragment_shader(ShaderLanguage language) {
-  return reference_core(language) + concatenated({"screen.glsl", "viewer.frag"});
-}
-
-std::string stack_viewer_fragment_shader(ShaderLanguage language) {
-  return stack_core(language) + concatenated({"screen.glsl", "stack_viewer.frag"});
-}
-
 }  // namespace texbake

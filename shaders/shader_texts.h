@@ -21,10 +21,6 @@ std::string reference_fragment_shader(ShaderLanguage language);
 /// An endless plane in perspective, drawn with reference_vertex_shader.
 std::string perspective_fragment_shader(ShaderLanguage language);
 
-/// The viewer's: reference_core with viewer.frag, stack_core with stack_viewer.frag, drawn with reference_vertex_shader.
-std::string viewer_fragment_shader(ShaderLanguage language);
-std::string stack_viewer_fragment_shader(ShaderLanguage language);
-
 /// The text of several scales, with stack.frag, drawn with reference_vertex_shader.
 std::string stack_fragment_shader(ShaderLanguage language);
 

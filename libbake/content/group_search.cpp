@@ -6,12 +6,13 @@
 #include <span>
 
 #include "libbake/base/parallel.h"
+#include "libbake/content/take_apart.h"
 
 namespace texbake {
 namespace {
 
-constexpr int kWiderAttempts = 3;        // with limits half as wide again each; after them there are none
-constexpr size_t kFirstRoundShare = 64;  // the first round, which knows no limits yet, takes 1/64 of the tasks
+constexpr int kWiderAttempts = 3;          // with limits half as wide again each; after them there are none
+constexpr size_t kFirstRoundShare = 64;    // the first round, which knows no limits yet, takes 1/64 of the tasks
 constexpr size_t kLongestRoundShare = 16;  // what a round finds is there twice while it is merged
 
 // Translations and their sums in 8 bytes each, since millions are kept at a time: the sum above the place y · width +

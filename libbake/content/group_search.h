@@ -3,8 +3,11 @@
 
 #include <vector>
 
-#include "libbake/content/content_search.h"
+#include "libbake/base/progress.h"
+#include "libbake/content/candidates.h"
+#include "libbake/content/class_distances.h"
 #include "libbake/content/impact_kernel.h"
+#include "libbake/content/patch_border.h"
 
 namespace texbake {
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "libbake/base/parallel.h"
+#include "libbake/content/take_apart.h"
 #include "libbake/content/turned_bound.h"
 #include "libbake/content/turned_impact.h"
 

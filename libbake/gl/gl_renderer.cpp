@@ -3,7 +3,8 @@
 #include <map>
 #include <optional>
 
-#include "libbake/eval/perspective_program.h"
+#include "libbake/draw/view_program.h"
+#include "libbake/draw/window_program.h"
 #include "libbake/gl/gl_objects.h"
 #include "libbake/gl/gl_view.h"
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "libbake/eval/frame.h"
-#include "libbake/eval/perspective.h"
-#include "libbake/eval/window.h"
+#include "libbake/draw/frame.h"
+#include "libbake/draw/perspective.h"
+#include "libbake/draw/window.h"
 #include "libbake/gl/gl_context.h"
 
 namespace texbake {

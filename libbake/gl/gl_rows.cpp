@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "libbake/eval/window_part.h"
+#include "libbake/draw/window_part.h"
 
 namespace texbake {
 namespace {

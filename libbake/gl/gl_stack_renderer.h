@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "libbake/eval/relief_window.h"
-#include "libbake/eval/stack_perspective.h"
+#include "libbake/draw/relief_window.h"
+#include "libbake/draw/stack_perspective.h"
 #include "libbake/gl/gl_context.h"
 
 namespace texbake {

@@ -1,6 +1,6 @@
 #include "libbake/gl/gl_view.h"
 
-#include "libbake/eval/perspective_program.h"
+#include "libbake/draw/view_program.h"
 
 namespace texbake {
 

@@ -1,7 +1,7 @@
 // Binds what perspective.glsl reads of a view.
 #pragma once
 
-#include "libbake/eval/perspective.h"
+#include "libbake/draw/perspective.h"
 #include "libbake/gl/gl_objects.h"
 
 namespace texbake {

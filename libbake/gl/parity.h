@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "libbake/eval/compare.h"
+#include "libbake/draw/compare.h"
 #include "libbake/gl/gl_renderer.h"
 
 namespace texbake {

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "libbake/base/error.h"
-#include "libbake/eval/window.h"
+#include "libbake/draw/window_rows.h"
+#include "libbake/planes/prepare.h"
 #include "libbake/quality/low_pass.h"
 #include "libbake/report/reduced_tile.h"
 

@@ -1,7 +1,7 @@
 // What drawing a material costs on a GPU, by each method.
 #pragma once
 
-#include "libbake/eval/prepare.h"
+#include "libbake/planes/prepare.h"
 #include "libbake/report/measures.h"
 
 namespace texbake {

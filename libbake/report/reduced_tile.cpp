@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "libbake/base/half.h"
-#include "libbake/eval/noise_levels.h"
+#include "libbake/planes/noise_levels.h"
 #include "libbake/quality/low_pass.h"
 
 namespace texbake {

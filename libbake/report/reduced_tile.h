@@ -1,7 +1,7 @@
 // A bundle's tile at a fraction of its size, so that measuring a large one takes bounded time and memory.
 #pragma once
 
-#include "libbake/eval/prepare.h"
+#include "libbake/planes/prepare.h"
 
 namespace texbake {
 

@@ -4,7 +4,8 @@
 
 #include "libbake/base/parallel.h"
 #include "libbake/color/luv.h"
-#include "libbake/eval/frame.h"
+#include "libbake/draw/frame.h"
+#include "libbake/draw/window_rows.h"
 #include "libbake/quality/baselines.h"
 
 namespace texbake {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "libbake/eval/prepare.h"
+#include "libbake/planes/prepare.h"
 #include "libbake/quality/seams.h"
 
 namespace texbake {

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "libbake/color/luv.h"
-#include "libbake/color/seam_measure.h"
 #include "libbake/content/choice_figures.h"
 #include "libbake/report/cost.h"
 #include "libbake/report/rendering_measures.h"
 #include "libbake/report/scene.h"
+#include "libbake/tile/seam_measure.h"
 
 namespace texbake {
 namespace {

@@ -7,7 +7,8 @@
 
 #include "libbake/color/luv.h"
 #include "libbake/content/shown_source.h"
-#include "libbake/eval/show.h"
+#include "libbake/draw/show.h"
+#include "libbake/draw/window_rows.h"
 #include "libbake/quality/low_pass.h"
 #include "libbake/quality/repetition.h"
 

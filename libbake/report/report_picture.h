@@ -7,7 +7,7 @@
 
 #include "libbake/base/image.h"
 #include "libbake/base/torus.h"
-#include "libbake/eval/prepare.h"
+#include "libbake/planes/prepare.h"
 #include "libbake/report/rendering.h"
 
 namespace texbake {

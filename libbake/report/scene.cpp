@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "libbake/color/luv.h"
+#include "libbake/planes/prepare.h"
 #include "libbake/quality/low_pass.h"
+#include "libbake/report/report_input.h"
 
 namespace texbake {
 namespace {

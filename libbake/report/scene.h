@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "libbake/report/reduced_tile.h"
-#include "libbake/report/report.h"
+#include "libbake/report/report_input.h"
 
 namespace texbake {
 

@@ -3,11 +3,11 @@
 // within one run.
 #include <benchmark/benchmark.h>
 
-#include "libbake/eval/levels.h"
-#include "libbake/eval/stack_levels.h"
 #include "libbake/gl/gl_renderer.h"
 #include "libbake/gl/gl_stack_renderer.h"
-#include "tests/libbake/eval/small_stack.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/stack_levels.h"
+#include "tests/libbake/draw/small_stack.h"
 
 namespace texbake {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "formats/image_reader.h"
 #include "libbake/color/convert.h"
-#include "libbake/color/resample.h"
 #include "libbake/height/shading.h"
+#include "libbake/tile/resample.h"
 #include "tests/libbake/height/known_height.h"
 #include "tests/libbake/height/obvious_heights.h"
 

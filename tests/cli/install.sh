@@ -11,11 +11,11 @@ cmake_minimum_required(VERSION 3.25)
 project(consumer LANGUAGES CXX)
 find_package(texbake REQUIRED)
 add_executable(consumer main.cpp)
-target_link_libraries(consumer PRIVATE texbake::formats texbake::eval)
+target_link_libraries(consumer PRIVATE texbake::formats texbake::draw)
 CMAKE
 cat > main.cpp <<'CPP'
 #include "formats/bundle_io.h"
-#include "libbake/eval/window.h"
+#include "libbake/draw/window.h"
 
 int main(int, char** argv) {
   const texbake::Bundle bundle = texbake::read_bundle(argv[1]);

@@ -33,7 +33,7 @@ std::string run(const std::string& arguments) {
 
 /// The messages of the schema's validator; empty for a valid document.
 std::string faults(const std::string& schema_name, const json& document) {
-  const json schema_json = json::parse(std::ifstream(fs::path(TEXBAKE_SCHEMAS) / schema_name));
+  const json schema_json = json::parse(std::ifstream(fs::path(TEXBAKE_SOURCE) / schema_name));
   valijson::Schema schema;
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
   valijson::ValidationResults results;
@@ -65,7 +65,7 @@ class CommandLineJson : public testing::Test {
     const json output = json::parse(text, nullptr, false);
     EXPECT_FALSE(output.is_discarded()) << arguments << ": not one JSON object:\n" << text;
     if (output.is_discarded()) return {};
-    EXPECT_EQ(faults("output.schema.json", output), "") << arguments << "\n" << text;
+    EXPECT_EQ(faults("cli/output.schema.json", output), "") << arguments << "\n" << text;
     EXPECT_EQ(output["exitCode"], exit_code) << text;
     return output;
   }
@@ -114,8 +114,8 @@ TEST_F(CommandLineJson, FailuresAreObjectsOfTheSchemaToo) {
 TEST_F(CommandLineJson, ComparedFramesAndShadersAreObjectsOfTheSchema) {
   const std::string bundle = at("a.texbundle"), camera = at("camera.json");
   const json window = {{"window", {{"origin", {"-12", 7.5}}, {"seed", 3}, {"map", nullptr}, {"size", {24, 16}}}}};
-  EXPECT_EQ(faults("camera.schema.json", window), "");
-  EXPECT_NE(faults("camera.schema.json", {{"window", {{"sead", 3}}}}), "");
+  EXPECT_EQ(faults("cli/camera.schema.json", window), "");
+  EXPECT_NE(faults("cli/camera.schema.json", {{"window", {{"sead", 3}}}}), "");
   std::ofstream(camera) << window;
   run("render " + bundle + " --origin -12,7.5 --seed 3 --size 24x16 -o " + at("frame.png"));
   run("render " + bundle + " --origin -12,7.5 --seed 4 --size 24x16 -o " + at("other.exr"));
@@ -124,7 +124,7 @@ TEST_F(CommandLineJson, ComparedFramesAndShadersAreObjectsOfTheSchema) {
   EXPECT_EQ(valid_output(verify + at("other.exr"), 1)["result"]["frame"]["samples"], "half");
 
   const json drawn = json::parse(run("verify " + bundle + " --backend gl --windows 1 --json"));
-  EXPECT_EQ(faults("output.schema.json", drawn), "") << drawn;
+  EXPECT_EQ(faults("cli/output.schema.json", drawn), "") << drawn;
   if (drawn["exitCode"] == 5) GTEST_SKIP() << "no OpenGL: " << drawn["error"];
   EXPECT_EQ(drawn["result"]["gl"].size(), 2u);
 }
@@ -136,7 +136,7 @@ TEST_F(CommandLineJson, WarningsAreInTheObject) {
 
 TEST_F(CommandLineJson, RecipesFollowTheirSchema) {
   const json output = valid_output("info " + at("a.texbundle") + " --recipe", 0);
-  EXPECT_EQ(faults("recipe.schema.json", output["result"]["recipe"]), "");
+  EXPECT_EQ(faults("bake/recipe.schema.json", output["result"]["recipe"]), "");
   EXPECT_EQ(json::parse(run("info " + at("a.texbundle") + " --recipe")), output["result"]["recipe"]);
 }
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "formats/image_reader.h"
-#include "libbake/color/periodic.h"
-#include "libbake/color/resample.h"
 #include "libbake/height/shading.h"
+#include "libbake/tile/periodic.h"
+#include "libbake/tile/resample.h"
 #include "tests/libbake/height/known_height.h"
 
 namespace texbake {

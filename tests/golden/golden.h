@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "libbake/eval/frame.h"
-#include "libbake/eval/levels.h"
+#include "libbake/draw/frame.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/prepare.h"
+#include "libbake/reference/semantics.h"
 
 namespace texbake {
 

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "libbake/eval/relief_window.h"
-#include "libbake/eval/stack_levels.h"
+#include "libbake/draw/relief_window.h"
+#include "libbake/planes/stack_levels.h"
 #include "tests/golden/golden.h"
-#include "tests/libbake/eval/small_stack.h"
+#include "tests/libbake/draw/small_stack.h"
 
 namespace texbake {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "libbake/color/luv.h"
-#include "tests/libbake/eval/relief_painter.h"
+#include "tests/libbake/draw/relief_painter.h"
 
 namespace texbake {
 namespace {
@@ -89,7 +89,7 @@ Json leveled_json(const SmallTile& tile, const Point& point, Random& random) {
 
 Json tile_json(const SmallTile& tile) {
   const Partition& partition = tile.patches.partition;
-  Json json = {{"semantics", kShaderSemantics}, {"size", {tile.size().x, tile.size().y}}};
+  Json json = {{"semantics", kSemantics}, {"size", {tile.size().x, tile.size().y}}};
   json["content_count"] = tile.contents.content_count;
   for (const V2i& c : partition.centers) json["centers"].push_back({c.x, c.y});
   for (const Content& c : tile.contents.contents) {
@@ -200,7 +200,7 @@ bool is_whole(const Point& point, V2i n) {
 
 std::string stack_text_of(const SmallStack& stack, const SmallRelief* relief = nullptr) {
   Random random(2026, 7), ways(2027, 8);
-  std::string text = "{\n\"semantics\": " + std::to_string(kShaderSemantics) + ",\n\"scales\": [\n";
+  std::string text = "{\n\"semantics\": " + std::to_string(kSemantics) + ",\n\"scales\": [\n";
   auto transfer = stack.transfers.begin();
   for (const ScaleTile& scale : stack.tiles) {
     text += scale_json(scale, &scale == &stack.tiles.front() ? nullptr : &*transfer).dump() +
@@ -240,11 +240,11 @@ bool write(const std::string& path, const std::string& text) {
   std::ifstream old(path, std::ios::binary);
   const std::string before((std::istreambuf_iterator<char>(old)), std::istreambuf_iterator<char>());
   if (before == text) return true;
-  if (!before.empty() && Json::parse(before).at("semantics") == kShaderSemantics) {
+  if (!before.empty() && Json::parse(before).at("semantics") == kSemantics) {
     std::fprintf(stderr,
                  "%s: would change within semantics %d. A change of meaning raises the number in prepare.h and "
                  "shaders/README.md; to add points, remove the file first.\n",
-                 path.c_str(), kShaderSemantics);
+                 path.c_str(), kSemantics);
     return false;
   }
   std::ofstream file(path, std::ios::binary);

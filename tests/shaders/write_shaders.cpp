@@ -2,7 +2,7 @@
 #include <fstream>
 #include <string>
 
-#include "shaders/shader_texts.h"
+#include "pages/viewer_shaders.h"
 
 int main(int argc, char** argv) {
   using texbake::ShaderLanguage;

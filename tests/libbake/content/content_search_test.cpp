@@ -5,6 +5,7 @@
 #include <hwy/targets.h>
 #include <tbb/global_control.h>
 
+#include "libbake/content/take_apart.h"
 #include "tests/libbake/content/content_twin.h"
 
 namespace texbake {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "libbake/content/take_apart.h"
 #include "tests/libbake/content/content_twin.h"
 
 namespace texbake {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "libbake/content/take_apart.h"
 #include "tests/libbake/content/content_twin.h"
 
 namespace texbake {

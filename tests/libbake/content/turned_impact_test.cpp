@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "libbake/content/turned_search.h"
-#include "libbake/eval/frame.h"
+#include "libbake/draw/frame.h"
+#include "libbake/planes/prepare.h"
 #include "tests/libbake/content/content_twin.h"
 
 namespace texbake {

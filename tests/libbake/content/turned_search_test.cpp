@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "libbake/content/take_apart.h"
 #include "tests/libbake/content/content_twin.h"
 
 namespace texbake {

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "gl_test_context.h"
-#include "tests/libbake/eval/small_tile.h"
+#include "libbake/draw/window_rows.h"
+#include "tests/libbake/draw/small_tile.h"
 
 namespace texbake {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libbake/eval/program.h"
+#include "libbake/reference/program.h"
 
 namespace texbake::parity {
 

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "gl_test_context.h"
-#include "libbake/eval/levels.h"
-#include "tests/libbake/eval/small_tile.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/prepare.h"
+#include "tests/libbake/draw/small_tile.h"
 
 namespace texbake {
 namespace {

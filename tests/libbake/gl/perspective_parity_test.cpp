@@ -5,9 +5,10 @@
 #include <cstdio>
 
 #include "gl_test_context.h"
-#include "libbake/eval/levels.h"
-#include "libbake/eval/stack_levels.h"
-#include "tests/libbake/eval/small_stack.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/prepare.h"
+#include "libbake/planes/stack_levels.h"
+#include "tests/libbake/draw/small_stack.h"
 
 namespace texbake {
 namespace {

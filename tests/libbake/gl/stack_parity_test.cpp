@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "gl_test_context.h"
-#include "libbake/eval/stack_levels.h"
-#include "tests/libbake/eval/small_stack.h"
+#include "libbake/planes/stack_levels.h"
+#include "tests/libbake/draw/small_stack.h"
 
 namespace texbake {
 namespace {

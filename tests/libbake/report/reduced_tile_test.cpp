@@ -4,7 +4,8 @@
 
 #include "libbake/base/half.h"
 #include "libbake/base/random.h"
-#include "libbake/eval/window.h"
+#include "libbake/draw/window_rows.h"
+#include "libbake/planes/prepare.h"
 #include "tests/libbake/report/tile_fixture.h"
 
 namespace texbake {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "libbake/planes/prepare.h"
+
 namespace texbake {
 namespace {
 

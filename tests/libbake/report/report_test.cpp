@@ -6,6 +6,7 @@
 
 #include "libbake/color/luv.h"
 #include "libbake/report/rendering_measures.h"
+#include "libbake/report/report_input.h"
 #include "tests/libbake/report/tile_fixture.h"
 
 namespace texbake {

@@ -3,7 +3,7 @@
 
 #include "libbake/base/gaussian.h"
 #include "libbake/base/random.h"
-#include "libbake/eval/prepare.h"
+#include "libbake/planes/prepare.h"
 
 namespace texbake {
 

@@ -1,0 +1,77 @@
+// The pictures that go into a bundle: the colour and the maps that travel with it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bake/listener.h"
+#include "formats/bundle.h"
+#include "formats/image_reader.h"
+#include "libbake/base/option_text.h"
+#include "libbake/tile/periodic.h"
+
+namespace texbake {
+
+/// Which way green points in a normal map.
+enum class NormalConvention {
+  opengl,   ///< +y up in the picture
+  directx,  ///< +y down
+};
+template <>
+struct EnumNames<NormalConvention> {
+  static constexpr std::pair<NormalConvention, std::string_view> values[] = {{NormalConvention::opengl, "opengl"},
+                                                                             {NormalConvention::directx, "directx"}};
+};
+
+/// How the numbers of the files are meant.
+struct ImportOptions {
+  InputSpace input_space = InputSpace::automatic;
+  NormalConvention normal_convention = NormalConvention::opengl;
+
+  template <class Self, class Visitor>
+  static void fields(Self& self, Visitor&& visit) {
+    visit(self.input_space, Field{.name = "input-space",
+                                  .help = "of the colour; auto: what the file says, else sRGB for integers and linear "
+                                          "for floats"});
+    visit(self.normal_convention,
+          Field{.name = "normal-convention", .help = "of the map \"normal\": +y up (opengl) or down (directx)"});
+  }
+};
+
+/// One file, as given.
+struct MaterialFile {
+  std::string name;    ///< "color" or the NAME of --map NAME=FILE
+  std::string file;    ///< its path
+  std::string sha256;  ///< of the content that is expected; "": any
+};
+
+/// The files, as given.
+struct MaterialFiles {
+  MaterialFile color{.name = "color", .file = "", .sha256 = ""};
+  std::vector<MaterialFile> maps;
+};
+
+inline constexpr const char* kHeightMap = "height";  ///< the map that is relief: its own plane of the bundle
+inline constexpr const char* kNormalMap = "normal";  ///< the map that holds vectors
+
+/// The pictures, read.
+struct Material {
+  Picture color;
+  std::vector<Picture> maps;  ///< in the order of `MaterialFiles::maps`
+};
+
+/// Reads the pictures; what a person should know about them becomes warnings. Throws Error as read_picture does,
+/// Error(usage) when two maps have one name, and Error(bad_data) when a file is not the one that is expected.
+Material read_material(const MaterialFiles& files, const ImportOptions& options, Listener& listener);
+
+/// The tile of a map, as a bundle holds it: half-exact where the bundle stores halves.
+Map map_tile(const TilePlan& plan, const std::string& name, const Picture& picture, NormalConvention convention);
+
+/// The tile of a height map: one channel, 0 … 1. Throws Error(bad_data) when the picture has colours or other values.
+Image<float> height_tile(const TilePlan& plan, const Picture& picture);
+
+/// A file as the bundle's list of sources names it.
+Source source_of(const std::string& role, const Picture& picture);
+
+}  // namespace texbake

@@ -1,0 +1,33 @@
+#include "bake/running_stage.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bake/provenance.h"
+#include "formats/history.h"
+#include "formats/json_text.h"
+
+namespace texbake {
+
+RunningStage::RunningStage(Bundle& bundle, std::string verb, Listener& listener)
+    : bundle_(bundle), verb_(std::move(verb)), listener_(listener) {
+  const auto dropped = drop_stage(bundle_, verb_);
+  if (!dropped.empty())
+    listener_.warning(
+        fmt::format("{} runs again: dropped what was made from its last result ({})", verb_, fmt::join(dropped, ", ")));
+  progress_ = listener_.step(verb_);
+}
+
+void RunningStage::finish(Json parameters, Json figures) {
+  listener_.finish_step();
+  listener_.detail(fmt::format("{}: parameters {}", verb_, compact_json(parameters)));
+  listener_.detail(fmt::format("{}: figures {}", verb_, compact_json(figures)));
+  Stage stage;
+  stage.verb = verb_;
+  stage.parameters = std::move(parameters);
+  stage.figures = std::move(figures);
+  record_stage(bundle_, std::move(stage));
+}
+
+}  // namespace texbake

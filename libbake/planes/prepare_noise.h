@@ -1,0 +1,14 @@
+// The noise layer's planes, as shaders/noise.glsl reads them.
+#pragma once
+
+#include <optional>
+
+#include "libbake/planes/evaluator_input.h"
+
+namespace texbake {
+
+/// Sets masks, noises and the kind of the base of `planes`, whose base is there. Throws Error(bad_data) for noises that
+/// do not fit.
+void add_noise(const std::optional<NoiseInput>& input, EvaluatorPlanes& planes);
+
+}  // namespace texbake

@@ -1,0 +1,115 @@
+#include "libbake/planes/relief_planes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libbake/base/error.h"
+#include "libbake/base/torus.h"
+#include "libbake/planes/levels.h"
+#include "libbake/planes/prepare.h"
+#include "libbake/planes/program_of.h"
+
+namespace texbake {
+namespace {
+
+const Plane& heights_of(const EvaluatorPlanes& planes) {
+  if (const Plane* heights = planes.map("height")) return *heights;
+  throw Error(ErrorKind::usage,
+              "--relief: expected a height map in the coarsest scale, found none; give convert --map height=FILE, or "
+              "make one with \"texbake heightmap\"");
+}
+
+const Plane& normals_of(const EvaluatorPlanes& planes) {
+  for (const Plane& map : planes.maps)
+    if (map.kind == MapKind::normal_opengl || map.kind == MapKind::normal_directx) return map;
+  throw Error(ErrorKind::usage,
+              "--shade normal: expected a normal map in the coarsest scale, found none; use --shade height");
+}
+
+void check_light(const Direction& light) {
+  if (!(light.z > 0))
+    throw Error(ErrorKind::usage,
+                fmt::format("--light: expected a direction from above (z > 0), found z = {}", light.z));
+}
+
+/// Greatest, least and mean height that contents can show: relief shrinks with them.
+glsl::vec4 range_of(const EvaluatorPlanes& planes, const Plane& height) {
+  float least = height.texels(0, 0).x, most = least;
+  double sum = 0;
+  for (const glsl::vec4& texel : height.texels) {
+    least = std::min(least, texel.x);
+    most = std::max(most, texel.x);
+    sum += double{texel.x};
+  }
+  float smallest_scale = 1;
+  for (const glsl::ivec4& content : planes.contents)
+    smallest_scale = std::min(smallest_scale, static_cast<float>(content.y) / 65536);
+  return {most, least * smallest_scale, static_cast<float>(sum / static_cast<double>(height.texels.size())), 0};
+}
+
+/// +y up.
+V3f normal_of_heights(const Image<glsl::vec4>& heights, V2i p, float depth_px) {
+  const auto at = [&](int x, int y) { return heights(wrap(x, heights.width()), wrap(y, heights.height())).x; };
+  const float right = (at(p.x + 1, p.y) - at(p.x - 1, p.y)) * 0.5f * depth_px;
+  const float down = (at(p.x, p.y + 1) - at(p.x, p.y - 1)) * 0.5f * depth_px;
+  const float length = std::sqrt(1 + right * right + down * down);
+  return V3f(-right, down, 1) / length;
+}
+
+/// `normals` are the material's; those of the heights where it is nullptr.
+Image<glsl::vec4> heights_and_normals(const Image<glsl::vec4>& heights, const Plane* normals, float depth_px) {
+  Image<glsl::vec4> both(heights.width(), heights.height(), {0, 0, 0, 0});
+  for (int y = 0; y < both.height(); ++y)
+    for (int x = 0; x < both.width(); ++x) {
+      V3f normal = normals ? V3f(0) : normal_of_heights(heights, {x, y}, depth_px);
+      if (normals) {
+        const glsl::vec4& n = normals->texels(x, y);
+        normal = V3f(n.x, n.y, n.z);
+      }
+      both(x, y) = {heights(x, y).x, normal.x, normal.y, normal.z};
+    }
+  return both;
+}
+
+}  // namespace
+
+ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& options, const Direction& light) {
+  EvaluatorInput input = coarsest;
+  input.noise.reset();
+  input.soft_border_px = 0;  // not yet: levels are those of the relief
+  EvaluatorPlanes planes = prepare(input);
+  planes.soft_border_px = coarsest.patches ? coarsest.soft_border_px : 0;
+  const Plane& heights = heights_of(planes);
+  const Plane* const normals = options.shade_by == ShadeBy::normal ? &normals_of(planes) : nullptr;
+  check_light(light);
+  const bool is_directx = normals && normals->kind == MapKind::normal_directx;
+  const MapKind kind = is_directx ? MapKind::relief_directx : MapKind::relief_opengl;
+  ReliefPlanes bound;
+  bound.range = range_of(planes, heights);
+  bound.light = {light.x / light.z, light.y / light.z, options.ambient, 0};
+  bound.steps = {options.linear_steps, options.binary_steps};
+  bound.depth_px = options.depth_px;
+  bound.kind = options.shade_by == ShadeBy::none ? 0 : plane_kind(kind);
+
+  Plane relief{"relief", kind, 4, heights_and_normals(heights.texels, normals, options.depth_px)};
+  planes.maps.clear();
+  planes.maps.push_back(std::move(relief));
+  add_levels(planes, planes.maps[0]);
+  bound.height_plane = std::move(planes.maps[0].texels);
+  bound.height_levels = std::move(planes.maps[0].level_values);
+  return bound;
+}
+
+void bind_relief(glsl::Program& program, const ReliefPlanes& relief) {
+  program.height_plane = sampler_of(relief.height_plane);
+  program.height_levels = sampler_of(relief.height_levels);
+  program.relief_range = relief.range;
+  program.relief_steps = relief.steps;
+  program.relief_depth = relief.depth_px;
+  program.relief_light = relief.light;
+  program.relief_kind = relief.kind;
+}
+
+}  // namespace texbake

@@ -1,0 +1,25 @@
+// Levels of detail of a stack: of every scale by itself, and the fragments under their blocks, which take colours of
+// the coarser scale. Based on: Lutz et al. 2019; Vanhoey et al. 2013, eq. 5. Layout: shaders/README.md, "Several
+// scales".
+#pragma once
+
+#include "libbake/planes/stack_planes.h"
+#include "libbake/planes/stack_scale.h"
+
+namespace texbake {
+
+/// Adds the levels of `stack`, prepared from `scales`: of the coarsest scale all, of the others up to one block to a
+/// texel of the coarser scale, since they have faded into that then. Does nothing where they were added before:
+/// prepare_stack does it where borders of patches are soft. Throws as add_levels does.
+void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales);
+
+/// The level after which a scale of this ratio has faded: log2, rounded up.
+int last_level(int ratio);
+
+/// Memory of the levels in bytes: values, and lists of patches and fragments.
+struct StackLevelMemory {
+  uint64_t values = 0, lists = 0;
+};
+StackLevelMemory level_memory(const StackPlanes& stack);
+
+}  // namespace texbake

@@ -1,0 +1,66 @@
+// The planes of several scales together, as shaders/scales.glsl reads them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "libbake/planes/evaluator_planes.h"
+#include "libbake/planes/transfer.h"
+#include "libbake/reference/program.h"
+
+namespace texbake {
+
+/// Bit of scale_table: shown_texel of scales.glsl subtracts the local mean.
+inline constexpr int kLocalMean = 4;
+
+/// Everything that a stack binds: shaders/README.md, "Several scales".
+struct StackPlanes {
+  std::vector<V2i> sizes;                ///< of the tiles, coarse to fine
+  std::vector<ScaleTransfer> transfers;  ///< of each scale; the coarsest's means nothing
+  std::vector<int> content_counts, patch_counts;
+  Image<glsl::PatchTexel> patch_plane;
+  Image<glsl::ivec4> contents;
+  Image<glsl::vec4> base;
+  Image<glsl::FragmentTexel> fragment_plane;
+  Image<glsl::vec4> local_mean;
+  V2i noise_log2{0, 0};  ///< this and the next three: of the finest scale, as in EvaluatorPlanes
+  int noise_step = 0;
+  int noise_root = 0;
+  Image<glsl::MaskTexel> masks;
+  Image<glsl::vec4> noise_tiles;
+  Image<glsl::ivec4> scale_table;  ///< with the centres of patches; add_levels appends the tables of levels
+  Image<glsl::vec4> color_table;
+  /// This and what follows: empty until add_levels (stack_levels.h), if borders are hard.
+  Image<glsl::LevelBlock> level_blocks;
+  Image<glsl::PatchTexel> level_entries;
+  Image<glsl::vec4> base_levels;
+  Image<glsl::MaskTexel> level_weights;  ///< of the finest scale; one texel without noise
+  Image<glsl::ivec4> fragment_shares;
+
+  int scale_count() const { return static_cast<int>(sizes.size()); }
+  int finest() const { return scale_count() - 1; }
+  /// Levels of detail of a scale beside level 0.
+  int level_count(int scale) const { return scale_entry(2, scale).w; }
+  /// As in shaders/scales.glsl.
+  const glsl::ivec4& scale_entry(int column, int scale) const { return scale_table(column, scale + 1); }
+  glsl::ivec4& scale_entry(int column, int scale) { return scale_table(column, scale + 1); }
+  /// Texels of the finest scale along one texel of `scale`.
+  int64_t texels_in(int scale) const;
+};
+
+/// What `scale` replaces from now on, of planes that were prepared with its local mean.
+void set_detail_mean(StackPlanes& planes, int scale, DetailMean mean);
+
+/// The reference text, bound; borrows `planes`. `reference` is a repetition of the finest tile near what is drawn: all
+/// texels within 2^30 of it have their places in all scales, exactly.
+glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 reference);
+
+/// The same place in each scale's terms: nesting and nesting_offset of stack_bindings.glsl.
+struct Nesting {
+  std::array<glsl::uvec4, kMaxScales> tiles{};
+  std::array<glsl::ivec2, kMaxScales> offsets{};
+};
+Nesting nesting_at(const StackPlanes& planes, glsl::uvec2 reference);
+
+}  // namespace texbake

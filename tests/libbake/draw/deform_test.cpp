@@ -1,0 +1,155 @@
+#include "libbake/draw/deform.h"
+
+#include <gtest/gtest.h>
+
+#include "libbake/base/error.h"
+#include "libbake/draw/compare.h"
+#include "libbake/draw/frame.h"
+#include "libbake/draw/window_program.h"
+#include "libbake/draw/window_rows.h"
+#include "small_tile.h"
+
+namespace texbake {
+namespace {
+
+Window deformed_window(V2i tile_size, int64_t x0, int64_t y0, V2i size, const DeformationRequest& request) {
+  Window window;
+  window.origin_x = tile_offset(x0, 0, tile_size.x);
+  window.origin_y = tile_offset(y0, 0, tile_size.y);
+  window.width = size.x;
+  window.height = size.y;
+  window.seed = 5;
+  window.deformation = deformation_of(request);
+  return window;
+}
+
+SmallTile tile_with_noise(uint64_t seed) {
+  SmallTile tile = random_tile({40, 24}, 5, Contents::turned, seed);
+  add_noise(tile, 3, 16, seed);
+  return tile;
+}
+
+Image<V3f> render(const EvaluatorPlanes& planes, const Window& window) {
+  return render_rows(planes, window, 0, window.height);
+}
+
+TEST(Deform, TheIdentityTakesEveryTexelFromItself) {
+  const SmallTile tile = tile_with_noise(60);
+  const EvaluatorPlanes planes = tile.planes();
+  const Window window = deformed_window({40, 24}, -333, 1017, {64, 64}, {});
+  glsl::Program program = program_of(planes, window);
+  for (uint32_t y = 0; y < 64; ++y)
+    for (uint32_t x = 0; x < 64; ++x) {
+      const glsl::Texel at = program.texel_at(program.pixel_position(origin_of(window), 256, {x, y}));
+      EXPECT_EQ(program.deformed_value(program.base, at),
+                program.layered_value(program.base, at, program.texel_source(at)));
+    }
+}
+
+TEST(Deform, PositionsAreTheProductRoundedDownWhereverTheAnchorLies) {
+  Random random(61);
+  const V2i n(1000, 48);
+  const SmallTile tile = random_tile({40, 24}, 1, Contents::moved, 61);
+  const EvaluatorPlanes planes = tile.planes();
+  for (int round = 0; round < 2000; ++round) {
+    Deformation deformation;
+    for (int32_t& m : deformation.matrix) m = static_cast<int32_t>(random.below(1u << 18)) - (1 << 17);
+    const auto coordinate = [&] { return static_cast<int64_t>(random.below(1u << 30)) - (1 << 29); };
+    const int64_t from[2] = {coordinate(), coordinate()};
+    const auto near = [&] { return static_cast<int64_t>(random.below(1u << 23)) - (1 << 22); };
+    const int64_t at[2] = {from[0] + near(), from[1] + near()};
+
+    glsl::Program program = program_of(planes, 1u);
+    program.tile_size = {n.x, n.y};
+    const TileOffset from_x = tile_offset(from[0], 0, n.x), from_y = tile_offset(from[1], 0, n.y);
+    const V2i from_texel(static_cast<int>(from_x.offset_256 >> 8), static_cast<int>(from_y.offset_256 >> 8));
+    const DeformationAnchor to = anchor_of(deformation, n, {from_x.tile, from_y.tile}, from_texel);
+    program.deform_matrix = {deformation.matrix[0], deformation.matrix[1], deformation.matrix[2],
+                             deformation.matrix[3]};
+    program.deform_from_tile = {from_x.tile, from_y.tile};
+    program.deform_from = {from_texel.x, from_texel.y};
+    program.deform_to_tile = {to.tile[0], to.tile[1]};
+    program.deform_to = {to.texel[0], to.texel[1], to.fraction_65536[0], to.fraction_65536[1]};
+    const TileOffset x = tile_offset(at[0], 0, n.x), y = tile_offset(at[1], 0, n.y);
+    const glsl::Position found = program.deformed_position(
+        {{x.tile, y.tile}, {static_cast<int>(x.offset_256 >> 8), static_cast<int>(y.offset_256 >> 8)}});
+
+    // The matrix times the texel's centre in 1/65536, then down to 1/256.
+    const auto expected = [&](int row) {
+      const int64_t a = deformation.matrix[2 * row], b = deformation.matrix[2 * row + 1];
+      return (a * at[0] + b * at[1] + ((a + b) >> 1)) >> 8;
+    };
+    const TileOffset expected_x = tile_offset(0, expected(0), n.x), expected_y = tile_offset(0, expected(1), n.y);
+    EXPECT_EQ(found.tile.x, expected_x.tile);
+    EXPECT_EQ(found.tile.y, expected_y.tile);
+    EXPECT_EQ(static_cast<uint32_t>(found.offset.x), expected_x.offset_256);
+    EXPECT_EQ(static_cast<uint32_t>(found.offset.y), expected_y.offset_256);
+  }
+}
+
+TEST(Deform, WindowsOfOnePictureFitTogether) {
+  const SmallTile tile = tile_with_noise(62);
+  const EvaluatorPlanes planes = tile.planes();
+  const DeformationRequest request{.rotate_degrees = 33, .stretch_x = 1.7, .stretch_y = 0.6, .turbulence_texels = 9};
+  const Image<V3f> whole = render(planes, deformed_window({40, 24}, -9000, 400, {90, 60}, request));
+  const Image<V3f> part = render(planes, deformed_window({40, 24}, -9000 + 31, 400 + 17, {40, 30}, request));
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 40; ++x) EXPECT_EQ(part(x, y), whole(x + 31, y + 17));
+}
+
+TEST(Deform, RowsEqualTheReferenceTextPointByPoint) {
+  const SmallTile tile = tile_with_noise(63);
+  const EvaluatorPlanes planes = tile.planes();
+  for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
+    Window window = deformed_window({40, 24}, -77, 1000, {48, 48}, {.rotate_degrees = -70, .turbulence_texels = 5});
+    window.step_256 = 200;
+    window.filter = filter;
+    EXPECT_EQ(render(planes, window), color_values(reference_frame(planes, window, planes.base).values));
+  }
+}
+
+TEST(Deform, AQuarterTurnIsTheTurnedPicture) {
+  const SmallTile tile = random_tile({40, 24}, 5, Contents::moved, 64);
+  const EvaluatorPlanes planes = tile.planes();
+  const Image<V3f> plain = render(planes, deformed_window({40, 24}, 0, -64, {64, 64}, {}));
+  const Image<V3f> turned = render(planes, deformed_window({40, 24}, 0, 0, {64, 64}, {.rotate_degrees = 90}));
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) EXPECT_EQ(turned(x, y), plain(y, 63 - x)) << "from (y, -x - 1)";
+}
+
+TEST(Deform, TurbulenceIsBoundedAndSmoothAndAnotherSeedIsAnother) {
+  const SmallTile tile = random_tile({40, 24}, 1, Contents::moved, 65);
+  const EvaluatorPlanes planes = tile.planes();
+  const Window window =
+      deformed_window({40, 24}, -500, -500, {1, 1}, {.turbulence_texels = 20, .turbulence_cell = 128});
+  glsl::Program program = program_of(planes, window), other = program;
+  other.seed = 6;
+  const auto texel = [](int x, int y) {
+    return glsl::Texel{{static_cast<uint32_t>(x / 40 - 7), static_cast<uint32_t>(y / 24 - 3)}, {x % 40, y % 24}};
+  };
+  // Octaves of A, A/2, A/4; the slope of t² (3 − 2 t) is 1.5 at most, of each octave 1.5 · 2 A / cell, and three
+  // roundings.
+  const int bound = 20 * 256 * 7 / 4, slope = 3 * 3 * 20 * 256 / 128 + 3;
+  int farthest = 0, differing = 0;
+  for (int y = 0; y < 500; ++y)
+    for (int x = 0; x < 500; ++x) {
+      const glsl::ivec2 here = program.turbulence_at(texel(x, y)), right = program.turbulence_at(texel(x + 1, y));
+      farthest = std::max({farthest, std::abs(here.x), std::abs(here.y)});
+      EXPECT_LE(std::abs(here.x - right.x), slope);
+      EXPECT_LE(std::abs(here.y - right.y), slope);
+      if (other.turbulence_at(texel(x, y)).x != here.x) ++differing;
+    }
+  EXPECT_LE(farthest, bound);
+  EXPECT_GT(farthest, bound / 3);
+  EXPECT_GT(differing, 240000);
+}
+
+TEST(Deform, WhatIsOutOfRangeIsRefused) {
+  EXPECT_THROW(deformation_of({.stretch_x = 0.4}), Error);
+  EXPECT_THROW(deformation_of({.turbulence_texels = 65}), Error);
+  EXPECT_THROW(deformation_of({.turbulence_cell = 100}), Error);
+  EXPECT_THROW(deformation_of({.rotate_degrees = 400}), Error);
+}
+
+}  // namespace
+}  // namespace texbake
