@@ -21,7 +21,7 @@ constexpr const char* kRecipeVersion = "1.0";
 /// What `request` asks of each stage, by verb.
 Json asked_stages(const BakeRequest& request) {
   Json stages = Json::object();
-  for_each_stage_options(request, [&](const char* verb, const auto& options) {
+  for_each_stage_options(request, [&](const std::string& verb, const auto& options) {
     if (!stages.contains(verb)) stages[verb] = Json::object();
     stages[verb].update(json_of(options));
   });
@@ -35,7 +35,19 @@ Json known_stages() {
   return asked_stages(request);
 }
 
-bool is_layer_stage(const std::string& verb) { return verb == "decompose" || verb == "estimate-psd"; }
+/// The stages of structure + noise that `stages` has, of all of them.
+struct LayerStages {
+  std::vector<std::string> all, there;
+};
+LayerStages layer_stages(const Json& stages) {
+  LayerStages layers;
+  for (const StageRow& row : stage_table())
+    if (row.use == StageUse::layers) {
+      layers.all.push_back(row.verb);
+      if (stages.contains(row.verb)) layers.there.push_back(row.verb);
+    }
+  return layers;
+}
 
 /// The same from the record of a bundle; empty for a bundle that bake did not make.
 Json asked_stages(const Bundle& bundle) {
@@ -110,14 +122,32 @@ void read_files(const Json& recipe, const std::string& path, MaterialFiles& file
 
 }  // namespace
 
+std::vector<const StageRow*> stages_for(const LayerOptions& layers) {
+  std::vector<const StageRow*> stages;
+  for (const StageRow& row : stage_table())
+    if (row.use == StageUse::always || (row.use == StageUse::layers && layers.layers == Layers::structure_noise))
+      stages.push_back(&row);
+  return stages;
+}
+
+void check_request(const BakeRequest& request) {
+  for_each_stage_options(request, [](const std::string&, const auto& options) { check_options(options); });
+  if (request.layers.layers == Layers::structure_noise && request.convert.storage.color == ColorForm::palette)
+    throw Error(
+        ErrorKind::usage,
+        "--layers structure+noise: expected --colour full, found palette: noise is what the palette leaves out");
+}
+
 bool is_recipe(const std::string& path) { return fs::path(path).extension() == kRecipeExtension; }
 
 Json recipe_of(const Bundle& bundle) {
   const Json stages = asked_stages(bundle), known = known_stages();
-  const bool layered = stages.contains("decompose") || stages.contains("estimate-psd");
-  for (const auto& [verb, parameters] : known.items())
-    if (!stages.contains(verb) && (layered || !is_layer_stage(verb)))
-      refuse("recipe", fmt::format("expected a bundle that bake can make again, found none of its stage {}", verb));
+  LayerOptions layers;
+  if (!layer_stages(stages).there.empty()) layers.layers = Layers::structure_noise;
+  for (const StageRow* row : stages_for(layers))
+    if (!stages.contains(row->verb))
+      refuse("recipe",
+             fmt::format("expected a bundle that bake can make again, found none of its stage {}", row->verb));
   for (const auto& [verb, parameters] : stages.items())
     if (!known.contains(verb)) refuse("recipe", fmt::format("the stage {} is not one that bake runs", verb));
   Json recipe;
@@ -141,12 +171,13 @@ BakeRequest read_recipe(const std::string& path) {
   for (const auto& [verb, parameters] : stages.items())
     readers.emplace(verb, JsonReader(parameters, fmt::format("{}: stages.{}", path, verb)));
   const Json known = known_stages();
-  if (stages.contains("decompose") != stages.contains("estimate-psd"))
-    refuse(path, "stages: expected both decompose and estimate-psd, or neither");
-  if (stages.contains("decompose")) request.layers.layers = Layers::structure_noise;
+  const LayerStages layers = layer_stages(stages);
+  if (!layers.there.empty() && layers.there.size() < layers.all.size())
+    refuse(path, fmt::format("stages: expected both {}, or neither", fmt::join(layers.all, " and ")));
+  if (!layers.there.empty()) request.layers.layers = Layers::structure_noise;
   for (const auto& [verb, reader] : readers)
     if (!known.contains(verb)) refuse(path, fmt::format("stages: \"{}\" is not a stage that bake runs", verb));
-  for_each_stage_options(request, [&](const char* verb, auto& options) {
+  for_each_stage_options(request, [&](const std::string& verb, auto& options) {
     const auto reader = readers.find(verb);
     if (reader != readers.end()) reader->second.read(options);
   });

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "bake/convert_stage.h"
+#include "formats/stage_table.h"
 #include "libbake/content/select_contents.h"
 #include "libbake/noise/decompose.h"
 #include "libbake/noise/estimate_psd.h"
@@ -33,8 +36,8 @@ struct LayerOptions {
   }
 };
 
-/// The stages decompose and estimate-psd belong to the chain where `layers` says so: in a recipe and in a record they
-/// are what says it.
+/// The stages of StageUse::layers belong to the chain where `layers` says so: in a recipe and in a record they are what
+/// says it.
 struct BakeRequest {
   ConvertRequest convert;
   LayerOptions layers;
@@ -45,18 +48,29 @@ struct BakeRequest {
   SelectContentsOptions select_contents;
 };
 
-/// Calls `visit(verb, options)` for every options struct of the chain, in its order.
+/// Calls `visit(options)` for every options struct of the stage `verb` of the chain.
+template <class Request, class Visit>
+void for_each_options_of(std::string_view verb, Request& request, const Visit& visit) {
+  if (verb == "convert") for_each_options(request.convert, visit);
+  if (verb == "decompose") visit(request.decompose);
+  if (verb == "estimate-psd") visit(request.estimate_psd);
+  if (verb == "fragment") visit(request.fragment);
+  if (verb == "patch") visit(request.patch);
+  if (verb == "select-contents") visit(request.select_contents);
+}
+
+/// The stages that bake runs for `request`, in order.
+std::vector<const StageRow*> stages_for(const LayerOptions& layers);
+
+/// Calls `visit(verb, options)` for every options struct of the stages that bake runs for `request`, in order.
 template <class Request, class Visit>
 void for_each_stage_options(Request& request, const Visit& visit) {
-  for_each_options(request.convert, [&](auto& options) { visit("convert", options); });
-  if (request.layers.layers == Layers::structure_noise) {
-    visit("decompose", request.decompose);
-    visit("estimate-psd", request.estimate_psd);
-  }
-  visit("fragment", request.fragment);
-  visit("patch", request.patch);
-  visit("select-contents", request.select_contents);
+  for (const StageRow* row : stages_for(request.layers))
+    for_each_options_of(row->verb, request, [&](auto& options) { visit(row->verb, options); });
 }
+
+/// Throws Error(usage) for values out of range and for options that exclude each other.
+void check_request(const BakeRequest& request);
 
 /// A recipe: the files, and for each stage what is asked of it, null where the stage chooses (bake/recipe.schema.json).
 inline constexpr const char* kRecipeKind = "texbake.recipe";

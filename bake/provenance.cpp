@@ -1,34 +1,15 @@
 #include "bake/provenance.h"
 
 #include <algorithm>
-#include <iterator>
+
+#include "formats/stage_table.h"
 
 namespace texbake {
 namespace {
 
-/// The stages that read what `verb` makes, directly or not, in order. None for a verb outside the chain.
-std::vector<std::string> derived_stages(const std::string& verb) {
-  // Spectra are measured on what decompose found; fragments and what follows do not read them.
-  if (verb == "estimate-psd") return {};
-  const auto position = std::find(std::begin(kStageOrder), std::end(kStageOrder), verb);
-  if (position == std::end(kStageOrder)) return {};
-  return {std::next(position), std::end(kStageOrder)};
-}
-
-void drop_result(Bundle& bundle, const std::string& verb) {
-  if (verb == "estimate-psd") bundle.noise.reset();
-  for (Scale& scale : bundle.scales) {
-    if (verb == "decompose") {
-      scale.structure.reset();
-      scale.masks.clear();
-    }
-    if (verb == "fragment") scale.fragments.reset();
-    if (verb == "patch") scale.patches.reset();
-    if (verb == "select-contents") {
-      scale.contents.reset();
-      scale.soft_border_px = 0;
-    }
-  }
+void drop_result(Bundle& bundle, const StageRow& row) {
+  if (!row.result.drop) return;
+  for (Scale& scale : bundle.scales) row.result.drop(bundle, scale);
 }
 
 /// Returns whether there was a record of `verb`.
@@ -39,12 +20,12 @@ bool drop_record(Bundle& bundle, const std::string& verb) {
 }  // namespace
 
 std::vector<std::string> drop_stage(Bundle& bundle, const std::string& verb) {
-  drop_result(bundle, verb);
+  if (const StageRow* row = find_row(verb)) drop_result(bundle, *row);
   drop_record(bundle, verb);
   std::vector<std::string> dropped;
-  for (const std::string& derived : derived_stages(verb)) {
-    drop_result(bundle, derived);
-    if (drop_record(bundle, derived)) dropped.push_back(derived);
+  for (const StageRow* derived : derived_stages(verb)) {
+    drop_result(bundle, *derived);
+    if (drop_record(bundle, derived->verb)) dropped.push_back(derived->verb);
   }
   return dropped;
 }

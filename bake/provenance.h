@@ -1,5 +1,5 @@
 // Keeps a bundle's record of its stages true: a stage that runs again replaces its record and drops what was made from
-// what it replaces.
+// what it replaces. Which stages those are follows from formats/stage_table.h.
 #pragma once
 
 #include <string>
@@ -8,10 +8,6 @@
 #include "formats/bundle.h"
 
 namespace texbake {
-
-/// The stages in the order of the chain.
-inline constexpr const char* kStageOrder[] = {"convert",  "decompose", "estimate-psd",
-                                              "fragment", "patch",     "select-contents"};
 
 /// Takes the results and the records of `verb`, and of all stages derived from it, out of `bundle`. Returns the verbs
 /// that were derived, in order.

@@ -1,9 +1,8 @@
 // texbake bake: picture or recipe → bundle, the whole chain.
+#include "bake/bake.h"
+
 #include <memory>
 
-#include "bake/bake_request.h"
-#include "bake/layer_stages.h"
-#include "bake/stages.h"
 #include "cli/convert_flags.h"
 #include "cli/stage_command.h"
 #include "formats/bundle_io.h"
@@ -18,39 +17,22 @@ struct Request {
   BakeRequest bake;
 };
 
-Bundle run_chain(const BakeRequest& request, Console& console) {
-  Bundle bundle = run_convert(request.convert, console);
-  if (request.layers.layers == Layers::structure_noise) {
-    run_decompose(bundle, request.decompose, /*sheet=*/"", console);
-    run_estimate_psd(bundle, request.estimate_psd, console);
-  }
-  run_fragment(bundle, request.fragment, console);
-  run_patch(bundle, request.patch, console);
-  run_select_contents(bundle, request.select_contents, console);
-  return bundle;
-}
-
-/// Throws Error(usage) for options that exclude each other.
-void check_layers(const BakeRequest& request) {
-  if (request.layers.layers == Layers::structure_noise && request.convert.storage.color == ColorForm::palette)
-    throw Error(
-        ErrorKind::usage,
-        "--layers structure+noise: expected --colour full, found palette: noise is what the palette leaves out");
-}
-
 Outcome run(const Request& request, Console& console) {
   const std::string path = request.output.empty() ? default_bundle_path(request.input) : request.output;
-  for_each_stage_options(request.bake, [](const char*, const auto& options) { check_options(options); });
-  check_layers(request.bake);
+  check_request(request.bake);
   check_bundle_target(path);
   if (request.if_changed && is_up_to_date(path, request.bake)) {
     console.note(path + " is up to date");
     return written_bundle(path, read_bundle(path).stages);
   }
-  const Bundle bundle = run_chain(request.bake, console);
+  const Bundle bundle = bake(request.bake, console);
   console.step("write");
   write_bundle(bundle, path);
   return written_bundle(path, bundle.stages);
+}
+
+std::string title_of(const StageRow& row) {
+  return "Options of " + row.verb + (row.use == StageUse::layers ? " (with --layers structure+noise)" : "");
 }
 
 Action declare(CLI::App& app) {
@@ -74,12 +56,10 @@ Action declare(CLI::App& app) {
                "do nothing when the bundle was made from the same files, with the same options, by this version");
   add_flags(app, request->bake.layers, "Options");
   add_convert_flags(app, request->bake.convert);
-  add_flags(app, request->bake.decompose, "Options of decompose (with --layers structure+noise)", "decompose-");
-  add_flags(app, request->bake.estimate_psd, "Options of estimate-psd (with --layers structure+noise)",
-            "estimate-psd-");
-  add_flags(app, request->bake.fragment, "Options of fragment", "fragment-");
-  add_flags(app, request->bake.patch, "Options of patch", "patch-");
-  add_flags(app, request->bake.select_contents, "Options of select-contents", "select-contents-");
+  for (const StageRow& row : stage_table())
+    if (is_in_chain(row) && &row != &first_stage())
+      for_each_options_of(row.verb, request->bake,
+                          [&](auto& options) { add_flags(app, options, title_of(row), row.verb + "-"); });
   return [request](Console& console) { return run(*request, console); };
 }
 

@@ -3,55 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 #include "formats/json_text.h"
 #include "formats/manifest.h"
 #include "formats/sha256.h"
+#include "formats/stage_table.h"
 
 namespace texbake {
 namespace {
 
 constexpr const char* kPlanes = "planes.";
 
-std::vector<StageScope> make_scopes() {
-  std::vector<StageScope> scopes = {
-      {"convert",
-       {},
-       {"size", "tileFromSource", "maps", "mean", "palette", "planes.preview", "planes.exemplar", "planes.index",
-        "planes.variation", "planes.height"}},
-      {"decompose",
-       {"planes.exemplar"},
-       {"mean", "palette", "planes.structure", "planes.masks", "planes.index", "planes.variation"}},
-      {"estimate-psd", {"planes.exemplar", "planes.structure", "planes.masks"}, {"noise"}},
-      {"fragment",
-       {"palette", "planes.exemplar", "planes.structure", "planes.index", "planes.variation"},
-       {"fragments", "planes.fragment", "planes.fragmentClass", "planes.fragmentColor"}},
-      {"patch", {"fragments", "planes.exemplar", "planes.structure", "planes.fragment"}, {"patches", "planes.patch"}},
-      {"select-contents",
-       {"palette", "patches", "planes.exemplar", "planes.structure", "planes.index", "planes.variation",
-        "planes.patch"},
-       {"contents", "softBorder"}},
-      {"heightmap",
-       {"palette", "planes.exemplar", "planes.structure", "planes.index", "planes.variation"},
-       {"planes.height"}},
-      {"stack", {}, {"transfer"}},
-  };
-  std::vector<std::string>& read_by_stack = scopes.back().reads;
-  for (size_t i = 0; i + 1 < scopes.size(); ++i)
-    for (const std::string& member : scopes[i].writes)
-      if (std::ranges::find(read_by_stack, member) == read_by_stack.end()) read_by_stack.push_back(member);
-  return scopes;
-}
-
-std::span<const StageScope> all_scopes() {
-  static const std::vector<StageScope> scopes = make_scopes();
-  return scopes;
-}
-
 bool writes(const std::string& verb, const std::string& member) {
-  const StageScope* scope = scope_of(verb);
-  return scope && std::ranges::find(scope->writes, member) != scope->writes.end();
+  const StageRow* row = find_row(verb);
+  return row && std::ranges::find(row->writes, member) != row->writes.end();
 }
 
 void erase_files(Json& json) {
@@ -79,16 +44,11 @@ Json restricted(const Json& scale, const std::vector<std::string>& members) {
 
 }  // namespace
 
-const StageScope* scope_of(const std::string& verb) {
-  const auto found = std::ranges::find(all_scopes(), verb, &StageScope::verb);
-  return found == all_scopes().end() ? nullptr : &*found;
-}
-
 std::vector<std::string> owned_members(const std::vector<Stage>& stages, size_t at) {
   std::vector<std::string> owned;
-  const StageScope* scope = scope_of(stages[at].verb);
-  if (!scope) return owned;
-  for (const std::string& member : scope->writes) {
+  const StageRow* row = find_row(stages[at].verb);
+  if (!row) return owned;
+  for (const std::string& member : row->writes) {
     const bool replaced =
         std::any_of(stages.begin() + static_cast<ptrdiff_t>(at) + 1, stages.end(),
                     [&](const Stage& later) { return later.scale == stages[at].scale && writes(later.verb, member); });
@@ -114,9 +74,9 @@ std::string members_hash(const Json& scales, const Stage& stage, const std::vect
 std::string input_hash(const Json& scales, const std::vector<Source>& sources, const std::vector<Stage>& stages,
                        size_t at) {
   const Stage& stage = stages[at];
-  const StageScope* scope = scope_of(stage.verb);
-  if (!scope) return stage.input;
-  if (stage.verb != "convert") return members_hash(scales, stage, scope->reads);
+  const StageRow* row = find_row(stage.verb);
+  if (!row) return stage.input;
+  if (row != &first_stage()) return members_hash(scales, stage, row->reads);
   std::string lines;
   for (const Source& source : sources)
     if (source.scale == stage.scale && source.role != kClicksRole)
@@ -125,7 +85,7 @@ std::string input_hash(const Json& scales, const std::vector<Source>& sources, c
 }
 
 std::string output_hash(const Json& scales, const std::vector<Stage>& stages, size_t at) {
-  return scope_of(stages[at].verb) ? members_hash(scales, stages[at], owned_members(stages, at)) : stages[at].output;
+  return find_row(stages[at].verb) ? members_hash(scales, stages[at], owned_members(stages, at)) : stages[at].output;
 }
 
 void record_stage(Bundle& bundle, Stage stage) {

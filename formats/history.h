@@ -1,4 +1,5 @@
-// What each stage reads of a bundle and writes to it, and the hashes by which its record says so.
+// The hashes by which the record of a stage says what it read of a bundle and wrote to it: members as in
+// formats/stage_table.h. The record of a verb that is not in the table is kept and not judged.
 #pragma once
 
 #include <string>
@@ -7,16 +8,6 @@
 #include "formats/manifest.h"
 
 namespace texbake {
-
-/// Members of a scale in bundle.json, planes as "planes.KEY".
-struct StageScope {
-  std::string verb;
-  std::vector<std::string> reads;
-  std::vector<std::string> writes;
-};
-
-/// Nothing for a verb that is not known: its record is kept and not judged.
-const StageScope* scope_of(const std::string& verb);
 
 /// What stage `at` wrote and no later stage of the same scale has written since: the members that are still its own.
 std::vector<std::string> owned_members(const std::vector<Stage>& stages, size_t at);

@@ -6,6 +6,7 @@
 
 #include "formats/history.h"
 #include "formats/json_text.h"
+#include "formats/stage_table.h"
 
 namespace texbake {
 namespace {
@@ -41,6 +42,12 @@ void check_counts(const Stage& stage, const Scale& scale, const std::string& poi
   }
 }
 
+bool has_record(const Bundle& bundle, const std::string& verb, const Scale& scale) {
+  return std::ranges::any_of(bundle.stages, [&](const Stage& stage) {
+    return stage.verb == verb && (stage.scale.empty() || stage.scale == scale.name);
+  });
+}
+
 }  // namespace
 
 void check_state(const LoadedBundle& loaded, IssueLog& log) {
@@ -63,24 +70,13 @@ void check_state(const LoadedBundle& loaded, IssueLog& log) {
 }
 
 void check_stages(const Bundle& bundle, IssueLog& log) {
-  for (const Scale& scale : bundle.scales) {
-    const auto need = [&](bool present, const char* verb, const char* what) {
-      const bool recorded = std::ranges::any_of(bundle.stages, [&](const Stage& stage) {
-        return stage.verb == verb && (stage.scale.empty() || stage.scale == scale.name);
-      });
-      if (present && !recorded)
+  for (const Scale& scale : bundle.scales)
+    for (const StageRow& row : stage_table())
+      if (row.result.is_in && row.result.is_in(bundle, scale) && !has_record(bundle, row.verb, scale))
         log.add({IssueId::stage_missing,
                  {.pointer = "/stages"},
-                 fmt::format("expected a stage {} because there are {} in the scale \"{}\", found none", verb, what,
-                             scale.name)});
-    };
-    need(scale.colors.has_value(), "convert", "colours");
-    need(scale.structure.has_value(), "decompose", "structure");
-    need(bundle.noise && &scale == &bundle.scales.back(), "estimate-psd", "noises");
-    need(scale.fragments.has_value(), "fragment", "fragments");
-    need(scale.patches.has_value(), "patch", "patches");
-    need(scale.contents.has_value(), "select-contents", "contents");
-  }
+                 fmt::format("expected a stage {} because there are {} in the scale \"{}\", found none", row.verb,
+                             row.result.name, scale.name)});
 }
 
 void check_figures(const Bundle& bundle, IssueLog& log) {

@@ -19,8 +19,8 @@ Bundle baked() {
   bundle.scales[0].fragments.emplace();
   bundle.scales[0].patches.emplace();
   bundle.scales[0].contents.emplace();
-  for (const char* verb : kStageOrder) bundle.stages.emplace_back().verb = verb;
-  bundle.stages.emplace_back().verb = "heightmap";
+  for (const char* verb : {"convert", "decompose", "estimate-psd", "fragment", "patch", "select-contents", "heightmap"})
+    bundle.stages.emplace_back().verb = verb;
   return bundle;
 }
 
