@@ -86,11 +86,11 @@ std::vector<HeightClick> clicks_on_tile(const ClickFile& file, const Bundle& bun
 void run_heightmap(Bundle& bundle, const ClickFile& file, ClickSpace space, const HeightmapOptions& options,
                    Listener& listener) {
   Scale& scale = only_scale(bundle);
-  if (!scale.colors)
-    throw Error(ErrorKind::bad_data, "expected a bundle with a palette, found none; run \"texbake convert\" first");
+  const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
   const std::vector<HeightClick> clicks = clicks_on_tile(file, bundle, space);
   RunningStage stage(bundle, "heightmap", listener);
-  Heightmap map = heightmap(*scale.colors, scale.base(), clicks, options, stage.progress());
+  Heightmap map = heightmap(colors, scale.base(), clicks, options, stage.progress());
+  stage.replace();
   replace_source(bundle, file);
   const Json figures = figures_of(map, clicks.size(), scale.height);
   tell(map, clicks.size(), listener);

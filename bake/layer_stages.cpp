@@ -11,23 +11,19 @@ namespace texbake {
 namespace {
 
 /// The palette of `light`, with the options that convert was given, so that it is made as convert would make it.
-Conversion palette_of(const Bundle& bundle, ImageView<const V3f> light, const Progress& progress = {}) {
+Conversion palette_of(const Bundle& bundle, ImageView<const V3f> light) {
   ConvertOptions options;
   if (const Stage* stage = find_stage(bundle, "convert"))
     JsonReader(asked_parameters(stage->parameters), "stages.convert").read(options);
   const std::optional<Image<float>>& height = bundle.scales.front().height;
-  return convert(light, height ? height->view() : ImageView<const float>(), options, progress);
+  return convert(light, height ? height->view() : ImageView<const float>(), options);
 }
 
-/// A decomposition may run again: what the first one did to the palette is undone, so that it starts where convert
-/// ended.
-void restore_exemplar(Bundle& bundle) {
-  Scale& scale = only_scale(bundle);
+void check_exemplar(const Scale& scale) {
   if (!scale.stores_exemplar)
     throw Error(ErrorKind::bad_data,
                 "expected a bundle with the exemplar, found the compact form without it (convert --colour palette); "
                 "its noise is lost: convert again with --colour full");
-  if (scale.structure) scale.colors = palette_of(bundle, scale.exemplar).colors;
 }
 
 Json test_json(const SynthesisTest& test) {
@@ -92,11 +88,12 @@ Json noise_figures(const Noise& noise) {
 }  // namespace
 
 void run_decompose(Bundle& bundle, const DecomposeOptions& options, const std::string& sheet, Listener& listener) {
-  restore_exemplar(bundle);
-  RunningStage stage(bundle, "decompose", listener);
   Scale& scale = only_scale(bundle);
+  check_exemplar(scale);
+  RunningStage stage(bundle, "decompose", listener);
   Decomposition result = decomposed(scale.exemplar, options, sheet, stage.progress());
   Conversion palette = palette_of(bundle, result.structure);
+  stage.replace();
   scale.structure = std::move(result.structure);
   scale.masks = std::move(result.masks);
   DecomposeOptions effective = options;
@@ -117,7 +114,9 @@ void run_estimate_psd(Bundle& bundle, const EstimatePsdOptions& options, Listene
   EstimatePsdOptions effective = options;
   if (!options.local_size) effective.local_size = local_size_of(bundle);
   if (!options.space) effective.space = space_of(bundle).value_or(NoiseSpace::root);
-  bundle.noise = estimate_psd(scale.exemplar, *scale.structure, scale.masks, effective, stage.progress());
+  NoiseModel model = estimate_psd(scale.exemplar, *scale.structure, scale.masks, effective, stage.progress());
+  stage.replace();
+  bundle.noise = std::move(model);
   Json noises = Json::array();
   for (const Noise& noise : bundle.noise->noises) noises.push_back(noise_figures(noise));
   stage.finish(parameters_of(options, effective), {{"noises", noises}});

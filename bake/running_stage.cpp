@@ -11,12 +11,14 @@
 namespace texbake {
 
 RunningStage::RunningStage(Bundle& bundle, std::string verb, Listener& listener)
-    : bundle_(bundle), verb_(std::move(verb)), listener_(listener) {
+    : bundle_(bundle), verb_(std::move(verb)), listener_(listener), progress_(listener.step(verb_)) {}
+
+void RunningStage::replace() {
+  listener_.finish_step();
   const auto dropped = drop_stage(bundle_, verb_);
   if (!dropped.empty())
     listener_.warning(
         fmt::format("{} runs again: dropped what was made from its last result ({})", verb_, fmt::join(dropped, ", ")));
-  progress_ = listener_.step(verb_);
 }
 
 void RunningStage::finish(Json parameters, Json figures) {

@@ -1,4 +1,4 @@
-// A stage at work on a bundle: drops what it replaces, tells how far it is, and is recorded when it is done.
+// A stage at work on a bundle: tells how far it is, drops what it replaces once that is made, and is recorded.
 #pragma once
 
 #include <string>
@@ -10,8 +10,11 @@ namespace texbake {
 
 class RunningStage {
  public:
-  /// Drops the last result of `verb`, and with a warning what had been derived from it. Borrows both references.
+  /// Changes nothing in `bundle`: a stage that throws at work leaves it as it was. Borrows both references.
   RunningStage(Bundle& bundle, std::string verb, Listener& listener);
+  /// The work is done and its result is about to be put into the bundle: drops the last result of `verb`, and with a
+  /// warning what had been derived from it.
+  void replace();
   /// Records the stage: `parameters` in kebab-case, `figures` in camelCase.
   void finish(Json parameters, Json figures);
 

@@ -75,8 +75,10 @@ void run_fragment(Bundle& bundle, const FragmentOptions& options, Listener& list
   const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
   RunningStage stage(bundle, "fragment", listener);
   const FragmentOptions resolved = resolve(options, colors);
-  scale.fragments = fragment(colors, scale.base(), resolved, stage.progress());
-  const ContrastReport contrast = contrast_report(scale.base(), *scale.fragments, *resolved.max_area_px);
+  FragmentMap fragments = fragment(colors, scale.base(), resolved, stage.progress());
+  const ContrastReport contrast = contrast_report(scale.base(), fragments, *resolved.max_area_px);
+  stage.replace();
+  scale.fragments = std::move(fragments);
   Json figures = area_figures(scale.fragments->partition);
   figures.update(contrast_figures(contrast));
   stage.finish(parameters_of(options, resolved), figures);
@@ -88,7 +90,9 @@ void run_patch(Bundle& bundle, const PatchOptions& options, Listener& listener) 
   const FragmentMap& fragments = required(scale.fragments, "fragments", "fragment");
   RunningStage stage(bundle, "patch", listener);
   const PatchOptions resolved = resolve(options, fragments);
-  scale.patches = patch(fragments, scale.base(), resolved, stage.progress());
+  PatchMap patches = patch(fragments, scale.base(), resolved, stage.progress());
+  stage.replace();
+  scale.patches = std::move(patches);
   stage.finish(parameters_of(options, resolved), area_figures(scale.patches->partition));
 }
 
@@ -96,11 +100,12 @@ void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, L
   Scale& scale = only_scale(bundle);
   const PrincipalVariation& colors = required(scale.colors, "a palette", "convert");
   const PatchMap& patches = required(scale.patches, "patches", "patch");
-  RunningStage stage(bundle, "select-contents", listener);
   check_soft_border(options.soft_border_px.value_or(0), scale.size());
+  RunningStage stage(bundle, "select-contents", listener);
   const bool may_deform = options.search != Search::exact && options.lattice == LatticeUse::never;
   const SelectContentsOptions suited = scale.structure && may_deform ? deforming(options) : options;
   ContentSelection selection = select_contents(colors, scale.base(), patches, suited, stage.progress());
+  stage.replace();
   scale.contents = std::move(selection.table);
   scale.soft_border_px = *selection.effective.soft_border_px;
   stage.finish(parameters_of(options, selection.effective), content_figures(selection.figures));

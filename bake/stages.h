@@ -10,7 +10,7 @@
 namespace texbake {
 
 // Each replaces its result in `bundle`, and drops, with a warning, what had been derived from the old one. Throws Error
-// as the stage does, and Error(infeasible) when a stage that must come before has not run.
+// as the stage does, and Error(bad_data) when a stage that must come before has not run; `bundle` is then as it was.
 void run_fragment(Bundle& bundle, const FragmentOptions& options, Listener& listener);
 void run_patch(Bundle& bundle, const PatchOptions& options, Listener& listener);
 void run_select_contents(Bundle& bundle, const SelectContentsOptions& options, Listener& listener);

@@ -88,7 +88,7 @@ FragmentMap fragment(const PrincipalVariation& colors, ImageView<const V3f> base
   const V2i size(base.width(), base.height());
   if (size.x < 3 || size.y < 3)
     throw Error(ErrorKind::infeasible,
-                fmt::format("fragment: expected a tile of at least 3 x 3 texels, found {} x {}: no fragment would be "
+                fmt::format("expected a tile of at least 3 x 3 texels, found {} x {}: no fragment would be "
                             "under half of it",
                             size.x, size.y));
 

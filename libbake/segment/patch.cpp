@@ -28,12 +28,12 @@ void check_count(int count, const FragmentMap& fragments) {
   if (count > available)
     throw Error(
         ErrorKind::infeasible,
-        fmt::format("patch: expected at least as many fragments as patches, {}, found {}; ask for --count {} or "
+        fmt::format("expected at least as many fragments as patches, {}, found {}; ask for --count {} or "
                     "fewer, or run fragment with a smaller --max-area",
                     count, available, available));
   if (count < kLeastCount)
     throw Error(ErrorKind::infeasible,
-                fmt::format("patch: expected at least {} patches, found --count {}: a patch must stay under half the "
+                fmt::format("expected at least {} patches, found --count {}: a patch must stay under half the "
                             "tile on each axis, so it has less than a quarter of its area",
                             kLeastCount, count));
 }
