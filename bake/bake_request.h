@@ -31,8 +31,8 @@ struct LayerOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.layers, Field{.name = "layers",
-                             .help = "exemplar: one layer; structure+noise: fine grain is made anew everywhere, and "
-                                     "contents are exchanged beneath it"});
+                             .help = "exemplar: one layer; structure+noise: fine grain is re-synthesized everywhere, "
+                                     "and contents are exchanged in the structure beneath it"});
   }
 };
 

@@ -24,23 +24,23 @@ std::string seam_text(const SeamMeasure& seam) { return fmt::format("{:.2f} / {:
 void tell_of_tile(const TilePlan& plan, const std::string& name, Listener& listener) {
   if (plan.is_cut())
     listener.warning(fmt::format(
-        "{}: does not tile, the step across its wrap is {} (x / y) of a usual one; closed along "
-        "a minimum-error cut: {} of {} texels are kept, the step is now {}",
+        "{}: does not tile: the step across its wrap seam is {} (x / y) times an ordinary step; closed along a "
+        "minimum-error cut: {} of {} texels are kept, and the step is now {}",
         name, seam_text(plan.before), size_text(plan.size()), size_text(plan.source_size), seam_text(plan.after)));
   else if (!plan.before.tiles())
     listener.warning(
-        fmt::format("{}: taken as a tile, but the step across its wrap is {} (x / y) of a usual one and may "
-                    "show; --periodic make closes it",
+        fmt::format("{}: used as a tile, but the step across its wrap seam is {} (x / y) times an ordinary step and "
+                    "may show; --periodic make closes it",
                     name, seam_text(plan.before)));
   if (plan.is_resampled())
-    listener.note(fmt::format("{}: resampled to {} texels, a multiple that has mip levels (--multiple)", name,
+    listener.note(fmt::format("{}: resampled to {} texels, a multiple for which mip levels exist (--multiple)", name,
                               size_text(plan.size())));
 }
 
 void warn_of_other_size(const std::string& map, const Picture& picture, const TilePlan& plan, Listener& listener) {
   const V2i size(picture.width(), picture.height());
   if (size != plan.source_size)
-    listener.warning(fmt::format("map {}: {} texels where the colour has {}: resampled to the colour's", map,
+    listener.warning(fmt::format("map {}: {} texels, but the color has {}; resampled to the color's size", map,
                                  size_text(size), size_text(plan.source_size)));
 }
 

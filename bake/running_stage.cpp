@@ -17,8 +17,8 @@ void RunningStage::replace() {
   listener_.finish_step();
   const auto dropped = drop_stage(bundle_, verb_);
   if (!dropped.empty())
-    listener_.warning(
-        fmt::format("{} runs again: dropped what was made from its last result ({})", verb_, fmt::join(dropped, ", ")));
+    listener_.warning(fmt::format("{} runs again: dropped what was derived from its last result ({})", verb_,
+                                  fmt::join(dropped, ", ")));
 }
 
 void RunningStage::finish(Json parameters, Json figures) {

@@ -23,32 +23,35 @@ struct StackOptions {
   static void fields(Self& self, Visitor&& visit) {
     visit(self.ratio, Field{.name = "ratio",
                             .unit = "R[,R...]",
-                            .help = "fine texels along a coarse one, 2 to 1024; one for all pairs, or one for each"});
+                            .help = "number of fine texels along one coarse texel, 2 to 1024; one number for all pairs "
+                                    "of scales, or one for each"});
     visit(self.transfer, Field{.name = "transfer",
-                               .help = "where a fine texel reads the coarse colour: at the centre of "
-                                       "its fragment, at itself, or between coarse texels"});
-    visit(self.detail_mean, Field{.name = "detail-mean",
-                                  .help = "what the coarse colour replaces: the mean of the fine tile, or that around "
-                                          "the place, over one coarse texel"});
-    visit(self.detail,
-          Field{.name = "detail",
-                .help = "of the fine scale: as strong as it is, or in proportion to the mean colour of the "
-                        "coarsest: for scales of different brightness"});
-    visit(self.variation, Field{.name = "variation", .help = "whose variation beside the dominant colours shows"});
+                               .help = "where a fine texel reads the coarse color: at the center of its fragment, at "
+                                       "the texel itself, or bilinearly between coarse texels"});
+    visit(
+        self.detail_mean,
+        Field{
+            .name = "detail-mean",
+            .help =
+                "what the coarse color replaces: the mean of the fine tile, or the local mean over one coarse texel"});
+    visit(self.detail, Field{.name = "detail",
+                             .help = "strength of the fine scale's detail: absolute, or relative to the mean color of "
+                                     "the coarsest scale, for scales of different brightness"});
+    visit(self.variation, Field{.name = "variation", .help = "whose variation around the dominant colors is shown"});
     visit(self.variation_fade, Field{.name = "variation-fade",
                                      .min = 1,
                                      .max = 1000,
-                                     .help = "how much sooner than the dominant colours the variation fades"});
+                                     .help = "factor by which the variation fades sooner than the dominant colors"});
     visit(self.weights, Field{.name = "weights",
                               .unit = "W,W,...[/...]",
-                              .help = "share of the coarse colour that each class of the fine scale takes, 0 to 16; "
-                                      "lists of further scales follow after \"/\""});
+                              .help = "share of the coarse color that each class of the fine scale takes, 0 to 16; "
+                                      "lists for further scales follow after \"/\""});
     visit(self.coarse_weights, Field{.name = "coarse-weights",
                                      .unit = "W,W,...[/...]",
-                                     .help = "share that each class of the coarse scale gives"});
+                                     .help = "share of its color that each class of the coarse scale gives"});
     visit(self.detail_gains, Field{.name = "detail-gains",
                                    .unit = "G,G,...[/...]",
-                                   .help = "the variation of each class of the fine scale, times this"});
+                                   .help = "factor on the variation of each class of the fine scale"});
   }
 };
 

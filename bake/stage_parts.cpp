@@ -4,9 +4,10 @@ namespace texbake {
 
 Scale& only_scale(Bundle& bundle) {
   if (bundle.scales.size() != 1)
-    throw Error(ErrorKind::unsupported, fmt::format("expected a bundle of one scale, found {}; run the verb on each "
-                                                    "bundle before they are stacked",
-                                                    bundle.scales.size()));
+    throw Error(
+        ErrorKind::unsupported,
+        fmt::format("expected a bundle of one scale, found {}; run the verb on each bundle before stacking them",
+                    bundle.scales.size()));
   return bundle.scales.front();
 }
 

@@ -34,11 +34,10 @@ void warn_of_low_contrast(const ContrastReport& contrast, Listener& listener) {
   if (!reason) return;
   listener.warning(
       *reason == LowContrast::faint_borders
-          ? fmt::format(
-                "low contrast: colours differ by only {:.1f} ΔE across the borders of fragments ({:.1f} inside), "
-                "too little to hide the seams of exchanged contents; an exemplar with clearer features is better",
-                contrast.border_delta_e, contrast.interior_delta_e)
-          : fmt::format("low contrast: {:.0f} % of the tile is in fragments that ended at the greatest area, not at a "
+          ? fmt::format("low contrast: colors differ by only {:.1f} ΔE across fragment borders ({:.1f} inside), too "
+                        "little to hide the seams of exchanged contents; an exemplar with clearer features is better",
+                        contrast.border_delta_e, contrast.interior_delta_e)
+          : fmt::format("low contrast: {:.0f} % of the tile is in fragments that ended at the maximum area, not at a "
                         "border, so that seams have nothing to hide behind; an exemplar with clearer features, or a "
                         "smaller --threshold, is better",
                         100 * contrast.size_limited_share));

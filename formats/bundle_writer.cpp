@@ -20,14 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 
 Error refusal(const fs::path& path, const std::string& found) {
-  return Error(ErrorKind::io, fmt::format("{}: expected a bundle or a free name to write to, found {}; nothing was "
-                                          "changed: choose another output, or remove it first",
+  return Error(ErrorKind::io, fmt::format("{}: expected a bundle or an unused name to write to, found {}; nothing was "
+                                          "changed; choose another output, or remove it first",
                                           path.string(), found));
 }
 
 Error failure(const fs::path& path, const char* action) {
-  return Error(ErrorKind::io, fmt::format("{}: expected to {}, found: {}; choose a place that can be written",
-                                          path.string(), action, std::strerror(errno)));
+  return Error(ErrorKind::io, fmt::format("{}: could not {}: {}; choose a writable location", path.string(), action,
+                                          std::strerror(errno)));
 }
 
 /// One file of planes.
@@ -61,7 +61,7 @@ std::vector<Payload> payloads_of(const Bundle& bundle, const BundleRefs& refs) {
 
 Plan make_plan(const Bundle& bundle, const fs::path& path) {
   if (bundle.semantics != kSemantics)
-    throw Error(ErrorKind::unsupported, fmt::format("{}: expected semantics {} to write, found {}; use a newer texbake",
+    throw Error(ErrorKind::unsupported, fmt::format("{}: expected semantics {}, found {}; use a newer texbake",
                                                     path.string(), kSemantics, bundle.semantics));
   Plan plan;
   const BundleRefs refs = plane_refs(bundle);
@@ -184,7 +184,7 @@ void create_bundle(const Plan& plan, const fs::path& path, const StepHook& hook)
   write_files(plan, staging.path(), hook);
   if (hook) hook("rename folder");
   // rename(2) replaces nothing but an empty folder.
-  if (::rename(staging.path().c_str(), path.c_str()) != 0) throw failure(path, "name the folder");
+  if (::rename(staging.path().c_str(), path.c_str()) != 0) throw failure(path, "rename the folder");
   staging.release();
   if (hook) hook("renamed folder");
   sync_folder(path.parent_path());

@@ -12,10 +12,10 @@ namespace texbake {
 namespace {
 
 Error refusal(const std::string& path, const std::string& found) {
-  return Error(ErrorKind::bad_data,
-               fmt::format("{}: expected clicks as .json, .csv or a grey picture whose alpha tells where they are, "
-                           "found {}",
-                           path, found));
+  return Error(
+      ErrorKind::bad_data,
+      fmt::format("{}: expected clicks as .json, .csv or a gray picture whose alpha marks where they are, found {}",
+                  path, found));
 }
 
 struct Pixels {
@@ -54,7 +54,7 @@ ClickFile read_click_picture(const std::string& path) {
       const float height = texel[pixels.alpha == 0 ? 1 : 0];
       for (int c = 0; c < pixels.channels; ++c)
         if (c != pixels.alpha && texel[c] != height && !std::isnan(height))
-          throw refusal(path, fmt::format("colour at texel ({}, {})", x, y));
+          throw refusal(path, fmt::format("color at texel ({}, {})", x, y));
       const bool is_click = pixels.alpha >= 0 ? texel[pixels.alpha] > 0 : height != 0;
       if (is_click) file.clicks.push_back({{x, y}, height});
     }

@@ -27,7 +27,7 @@ class HeaderScan {
   }
 
   std::string fault() {
-    if (number() != kMagic) return "no OpenEXR file";
+    if (number() != kMagic) return "something that is not OpenEXR";
     const bool is_multi_part = (number() & kMultiPartFlag) != 0;
     for (int part = 0; part <= kMaxParts; ++part) {
       const auto attributes = header();
@@ -62,7 +62,7 @@ class HeaderScan {
     std::string text;
     for (int c = stream_.get(); c != 0; c = stream_.get()) {
       if (!stream_ || text.size() == kMaxNameBytes) {
-        fault_ = "an attribute without a name that ends";
+        fault_ = "an attribute whose name does not end";
         return {};
       }
       text += static_cast<char>(c);

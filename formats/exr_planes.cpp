@@ -170,7 +170,7 @@ ExrReader::ExrReader(const std::filesystem::path& path, IssueLog& log) : file_(s
   file_->path = path;
   std::error_code failed;
   if (!std::filesystem::is_regular_file(path, failed)) {
-    log.add({IssueId::file_missing, file_->place(), "expected the file, found none"});
+    log.add({IssueId::file_missing, file_->place(), "expected the file, found nothing"});
     return;
   }
   file_->bytes = std::filesystem::file_size(path, failed);

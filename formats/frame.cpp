@@ -20,10 +20,9 @@ SampleScale scale_of(const std::string& path, const Picture& picture, PictureRol
   if (picture.is_float && picture.source_bits == 32) return {SampleCode::float32, 32};
   if (!picture.is_float && picture.source_bits <= 16 && known_curve)
     return {integer_code(picture, role), picture.source_bits};
-  throw Error(ErrorKind::unsupported,
-              fmt::format("{}: expected samples of up to 16 bits in sRGB or linear, half or float, found {} bits, {}: "
-                          "capture the frame as PNG or EXR",
-                          path, picture.source_bits, picture.space));
+  throw Error(ErrorKind::unsupported, fmt::format("{}: expected samples of up to 16 bits in sRGB, or linear half or "
+                                                  "float, found {} bits, {}; capture the frame as PNG or EXR",
+                                                  path, picture.source_bits, picture.space));
 }
 
 Image<V3f> values_of(const Picture& picture, int channels) {

@@ -21,7 +21,7 @@ std::string picture_bytes(ImageView<const V3f> linear, PictureCoding coding) {
 
   const char* const kind = coding == PictureCoding::png ? "png" : "jpeg";
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(kind);
-  if (!output) throw Error(ErrorKind::unsupported, fmt::format("this build writes no {} pictures", kind));
+  if (!output) throw Error(ErrorKind::unsupported, fmt::format("this build cannot write {} pictures", kind));
   OIIO::ImageSpec spec(linear.width(), linear.height(), 3, OIIO::TypeDesc::UINT8);
   spec.attribute("DateTime", "");
   spec.attribute("oiio:ColorSpace", "sRGB");

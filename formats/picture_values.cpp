@@ -76,20 +76,18 @@ V2i upright_place(V2i p, V2i stored, int orientation) {
 
 void check_finite(const std::string& path, const std::vector<ImageView<const float>>& planes) {
   if (const auto found = find_offenders(planes, [](float value) { return !std::isfinite(value); }))
-    throw Error(
-        ErrorKind::bad_data,
-        fmt::format("{}: expected finite values, found NaN or infinity in {} of {} texels, the first at ({}, {}): "
-                    "repair the picture where it was made",
-                    path, found->count, planes[0].size(), found->first.x, found->first.y));
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}: expected finite values, found NaN or infinity in {} of {} texels, the first at ({}, "
+                            "{}); repair the picture in the program that made it",
+                            path, found->count, planes[0].size(), found->first.x, found->first.y));
 }
 
 void check_largest(const std::string& path, const std::vector<ImageView<const float>>& planes, float largest) {
   if (const auto found = find_offenders(planes, [&](float value) { return value > largest; }))
-    throw Error(
-        ErrorKind::bad_data,
-        fmt::format("{}: expected colours up to {:g} (half float), found {} of {} texels above, the first at "
-                    "({}, {}) with {:g}: scale its exposure down",
-                    path, largest, found->count, planes[0].size(), found->first.x, found->first.y, found->value));
+    throw Error(ErrorKind::bad_data, fmt::format("{}: expected colors up to {:g} (half float), found {} of {} texels "
+                                                 "above, the first at ({}, {}) with {:g}; scale its exposure down",
+                                                 path, largest, found->count, planes[0].size(), found->first.x,
+                                                 found->first.y, found->value));
 }
 
 }  // namespace texbake

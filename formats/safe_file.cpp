@@ -116,7 +116,7 @@ SafeFile::~SafeFile() {
 }
 
 void SafeFile::fail(const char* step) const {
-  throw Error(ErrorKind::io, fmt::format("{}: expected to {} the file, found: {}; free space or choose another place",
+  throw Error(ErrorKind::io, fmt::format("{}: could not {} the file: {}; free some space or choose another location",
                                          final_path_.string(), step, std::strerror(errno)));
 }
 
@@ -163,8 +163,7 @@ void sync_folder(const std::filesystem::path& folder) {
   const int reason = errno;
   if (descriptor >= 0) ::close(descriptor);
   if (!synced)
-    throw Error(ErrorKind::io,
-                fmt::format("{}: expected to write the folder to the disk, found: {}", name, std::strerror(reason)));
+    throw Error(ErrorKind::io, fmt::format("{}: could not flush the folder to disk: {}", name, std::strerror(reason)));
 }
 
 bool is_temporary_name(std::string_view file_name) {

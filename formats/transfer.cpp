@@ -24,8 +24,8 @@ void check_pair(const Scale& coarse, const Scale& fine, V2i coarse_size, V2i fin
   if (fine_size.x > largest.x || fine_size.y > largest.y)
     log.add({IssueId::scale_order,
              {.pointer = pointer + "/size"},
-             fmt::format("expected at most {} x {} texels, {} to a texel of the coarser scale, found {} x {}",
-                         largest.x, largest.y, transfer.ratio, fine_size.x, fine_size.y)});
+             fmt::format("expected at most {} x {} texels, {} per texel of the coarser scale, found {} x {}", largest.x,
+                         largest.y, transfer.ratio, fine_size.x, fine_size.y)});
   if (!fine.colors || (transfer.mode == TransferMode::fragment && !fine.fragments))
     log.add({IssueId::transfer_fragments, {.pointer = pointer}, "expected a palette and fragments, found none"});
   for_each_list(transfer, [&](const std::string& name, const std::vector<float>& list) {
@@ -73,8 +73,8 @@ void check_transfers(const Bundle& bundle, const std::vector<V2i>& sizes, IssueL
     if (bundle.scales[i].transfer.has_value() != (i > 0))
       log.add({IssueId::transfer_missing,
                {.pointer = pointer},
-               i > 0 ? "expected a member transfer, found none"
-                     : "expected no member transfer in the coarsest scale, found one"});
+               i > 0 ? "expected a member \"transfer\", found none"
+                     : "expected no member \"transfer\" in the coarsest scale, found one"});
     else if (i > 0)
       check_pair(bundle.scales[i - 1], bundle.scales[i], sizes[i - 1], sizes[i], pointer, log);
   }

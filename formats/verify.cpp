@@ -25,7 +25,8 @@ void warn_stray_files(const fs::path& path, const LoadedBundle& loaded, IssueLog
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(path, failed)) stray.insert(entry.path().filename().string());
   for (const std::string& name : stray)
-    if (!known.contains(name)) log.add({IssueId::stray_file, {.file = name}, "expected only files of the manifest"});
+    if (!known.contains(name))
+      log.add({IssueId::stray_file, {.file = name}, "expected only files that the manifest names"});
 }
 
 void check_scale(const LoadedBundle& loaded, size_t i, IssueLog& log) {
@@ -61,7 +62,7 @@ std::vector<Issue> verify_bundle(const fs::path& path) {
   } catch (const std::exception& error) {
     log.add({IssueId::exr_unreadable,
              {.file = path.string()},
-             fmt::format("expected to end the checks, found: {}", error.what())});
+             fmt::format("the checks could not be completed: {}", error.what())});
   }
   return log.issues();
 }

@@ -52,11 +52,12 @@ void check_partition_of(const ScaleUnderTest& test, const char* part, const Part
     const IssueId id = issue_of(fault.kind);
     const auto [at, is_first] = found.try_emplace(id);
     if (is_first)
-      at->second = {id,
-                    {.file = test.file, .part = part, .texel = fault.texel},
-                    fmt::format("expected fragments and patches as the README defines them, first broken by {} {}",
-                                part, fault.shape),
-                    fault.count};
+      at->second = {
+          id,
+          {.file = test.file, .part = part, .texel = fault.texel},
+          fmt::format("expected fragments and patches as the specification defines them, first violated by {} {}", part,
+                      fault.shape),
+          fault.count};
     else
       at->second.count += fault.count;
   }
@@ -139,7 +140,7 @@ void check_repeated(const ContentTable& table, int patch, const std::string& poi
       if (one.translation != other.translation || one.a != other.a || one.b != other.b) continue;
       log.add({IssueId::content_repeated,
                {.pointer = fmt::format("{}/contents/{}/{}", pointer, patch, c)},
-               fmt::format("expected a content of its own, found that of content {}", before)});
+               fmt::format("expected a different content, found that of content {}", before)});
       break;
     }
 }

@@ -23,12 +23,12 @@ struct Section {
   const char* title;
   const char* note;
 };
-constexpr Section kOverview = {PictureGroup::overview, "The exemplar and what becomes of it", ""};
-constexpr Section kNear = {PictureGroup::near, "The same window, near",
-                           "Where four tiles meet, one texel for one pixel."};
-constexpr Section kFar = {PictureGroup::far, "From afar",
-                          "The whole of each rendering: a grid that shows here is what gives tiling away."};
-constexpr Section kSeams = {PictureGroup::seams, "Where seams and repetition are", ""};
+constexpr Section kOverview = {PictureGroup::overview, "The exemplar and the result", ""};
+constexpr Section kNear = {PictureGroup::near, "The same window, up close",
+                           "Where four tiles meet, one texel per pixel."};
+constexpr Section kFar = {PictureGroup::far, "From a distance",
+                          "Each rendering as a whole: a grid that shows here reveals the tiling."};
+constexpr Section kSeams = {PictureGroup::seams, "Seams and repetition", ""};
 constexpr Section kParts = {PictureGroup::parts, "How it is put together", ""};
 constexpr Section kLayers = {PictureGroup::layers, "Structure and noise", ""};
 
@@ -103,7 +103,7 @@ std::string gallery(const Report& report, const Section& section, const char* la
 
 std::string swatches(const Palette& palette) {
   const SrgbEncoder encode(8);
-  std::string html = "<p class=\"soft\">Palette: the dominant colours.</p><div class=\"swatches\">";
+  std::string html = "<p class=\"soft\">Palette: the dominant colors.</p><div class=\"swatches\">";
   for (const ColorClass& c : palette.classes) {
     const V3f linear = linear_from_luv(c.dominant);
     html += fmt::format("<span style=\"background:rgb({},{},{})\"></span>", encode(linear.x), encode(linear.y),
@@ -125,10 +125,8 @@ std::string bundle_cell(const Measured& measured, const Judgement* judgement) {
   const std::string verdict =
       judgement ? pill(enum_name(judgement->verdict), words(judgement->verdict)) : std::string();
   if (!measured.value)
-    return fmt::format(
-        "<td class=\"why\" data-label=\"This\"><span>{}<small> not defined here, because {}</small>"
-        "</span></td>",
-        verdict, escaped(measured.undefined_because));
+    return fmt::format("<td class=\"why\" data-label=\"This\"><span>{}<small> not defined here: {}</small></span></td>",
+                       verdict, escaped(measured.undefined_because));
   const auto [mean, spread] = *measured.value;
   const std::string deviation = spread > 0 ? fmt::format(" <small>± {}</small>", number_text(spread)) : "";
   return fmt::format("<td data-label=\"This\"><span>{}{}{}</span></td>", number_text(mean), deviation, verdict);
@@ -160,7 +158,7 @@ std::string table_row(const Report& report, const MeasureKind& kind) {
 /// The wrap of a map: the rows of the colour's, with what the other methods do not change left out.
 std::string map_row(const MapReport& map) {
   return fmt::format(
-      "<tr><th scope=\"row\">Wrap of the map {}<small>Left to right, and top to bottom.</small></th>"
+      "<tr><th scope=\"row\">Wrap seam of the map {}<small>Left to right, and top to bottom.</small></th>"
       "<td data-label=\"This\"><span>{}, {}{}</span></td><td data-label=\"Good\">{}</td>"
       "<td class=\"none\"></td><td class=\"none\"></td><td class=\"none\"></td><td class=\"none\"></td></tr>\n",
       escaped(map.name), number_text(map.tile_x), number_text(map.tile_y),
@@ -174,10 +172,11 @@ bool is_present(const Report& report, const MeasureKind& kind) {
 
 std::string table(const Report& report) {
   std::string html =
-      "<h2>The numbers</h2>\n<p class=\"soft\">Limits are engineering choices, found on photographs by these numbers "
-      "and by looking; they are no study of perception. Halves: the same measure between the exemplar's left and right "
-      "half, which is what chance alone gives.</p>\n<table><thead><tr><th>Measure</th><th>This bundle</th><th>Good</th>"
-      "<th>Periodic</th><th>Wang</th><th>Hex</th><th>Halves</th></tr></thead><tbody>\n";
+      "<h2>The numbers</h2>\n<p class=\"soft\">The limits are engineering choices, found on photographs by comparing "
+      "these numbers with what is seen; they are not a study of perception. Halves: the same measure between the "
+      "exemplar's left and right halves, which is what chance alone "
+      "gives.</p>\n<table><thead><tr><th>Measure</th><th>This "
+      "bundle</th><th>Good</th><th>Periodic</th><th>Wang</th><th>Hex</th><th>Halves</th></tr></thead><tbody>\n";
   // The groups in the order in which they first appear; a group's rows together.
   std::vector<std::string_view> groups;
   for (const MeasureKind& kind : measure_kinds())
@@ -197,7 +196,7 @@ std::string how_measured(const Report& report) {
   std::string text = fmt::format("Measured on {} rendering{} of {} × {} tiles", report.options.seeds,
                                  report.options.seeds == 1 ? "" : "s", report.options.tiles, report.options.tiles);
   if (report.reduction > 1)
-    text += fmt::format(", at 1/{} of the tile's size, where sharpness is rougher", report.reduction);
+    text += fmt::format(", at 1/{} of the tile's size, at which sharpness is less accurate", report.reduction);
   text += report.seam_reduction > 1 ? fmt::format(", seams at 1/{}", report.seam_reduction) : ", seams at full size";
   return text + ".";
 }
@@ -208,7 +207,7 @@ std::string summary(const Report& report, const std::string& name) {
   std::string html = fmt::format("<header><h1>{}</h1>{}</header>\n", escaped(name), pill(verdict, shown));
   html += fmt::format("<p>{}</p>\n", escaped(verdict_sentence(report)));
   if (!report.is_suitable())
-    html += fmt::format("<div class=\"box\"><p>Unsuitable, because {}.</p><p>What helps: {}.</p></div>\n",
+    html += fmt::format("<div class=\"box\"><p>Unsuitable: {}.</p><p>What helps: {}.</p></div>\n",
                         escaped(report.suitability.because), escaped(report.suitability.helps));
   html += fmt::format("<p class=\"soft\">{} × {} texels, {} patches, {} contents each. {}</p>\n", report.tile_px.x,
                       report.tile_px.y, report.patch_count, report.content_count, how_measured(report));
@@ -218,7 +217,7 @@ std::string summary(const Report& report, const std::string& name) {
 }  // namespace
 
 std::string measured_text(const Measured& measured) {
-  if (!measured.value) return "not defined here, because " + measured.undefined_because;
+  if (!measured.value) return "not defined here: " + measured.undefined_because;
   const auto [mean, spread] = *measured.value;
   return number_text(mean) + (spread > 0 ? " ± " + number_text(spread) : "");
 }
@@ -237,8 +236,8 @@ std::string verdict_sentence(const Report& report) {
     if (judgement.verdict == Verdict::undefined) add(missing, label);
   }
   for (const MapReport& map : report.maps) {
-    if (map.verdict == Verdict::fail) add(bad, "wrap of " + map.name);
-    if (map.verdict == Verdict::warn) add(doubtful, "wrap of " + map.name);
+    if (map.verdict == Verdict::fail) add(bad, "wrap seam of " + map.name);
+    if (map.verdict == Verdict::warn) add(doubtful, "wrap seam of " + map.name);
   }
   if (bad.empty() && doubtful.empty() && missing.empty()) return "Every measure is good.";
   std::string text;

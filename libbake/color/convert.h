@@ -18,22 +18,22 @@ struct ConvertOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.classes, Field{.name = "classes",
-                              .unit = "colours",
+                              .unit = "colors",
                               .min = 1,
                               .max = kMaxClasses,
-                              .help = "number of colour classes (K): the dominant hues are a good guess",
-                              .auto_help = "where one more class stops paying"});
+                              .help = "number of color classes (K); the number of dominant hues is a good first guess",
+                              .auto_help = "where another class gains little"});
     visit(self.height_weight, Field{.name = "height-weight",
                                     .unit = "ΔE per unit height",
                                     .min = 0,
                                     .max = 1000,
-                                    .help = "weight of the height map among the colour coordinates"});
+                                    .help = "weight of the height map relative to the color coordinates"});
     visit(self.along_weight,
           Field{.name = "along-weight",
                 .min = 0,
                 .max = 1,
-                .help = "weight of the distance along a class's line beside the distance to it: 0 gives the least "
-                        "colour error, more gives compacter classes"});
+                .help = "weight of the distance along a class's line relative to the distance from it; 0 gives the "
+                        "least color error, larger values give more compact classes"});
   }
 };
 

@@ -64,47 +64,52 @@ struct SelectContentsOptions {
                             .unit = "contents",
                             .min = 1,
                             .max = 64,
-                            .help = "contents of each patch, the identity included (N_t)"});
-    visit(self.candidates, Field{.name = "candidates",
-                                 .unit = "translations",
-                                 .min = 1,
-                                 .max = 4096,
-                                 .help = "translations of least impact kept for the choice",
-                                 .auto_help = "120, or count - 1 with --choice impact"});
+                            .help = "number of contents for each patch, including the identity (N_t)"});
+    visit(self.candidates,
+          Field{.name = "candidates",
+                .unit = "translations",
+                .min = 1,
+                .max = 4096,
+                .help = "number of translations of least impact kept for the final choice",
+                .auto_help = "120, or 4 (count - 1) if that is more; with --choice impact: count - 1"});
     visit(self.separation_px, Field{.name = "separation",
                                     .unit = "px",
                                     .min = 1,
                                     .max = 4096,
-                                    .help = "least distance of candidates from the identity and from each other",
+                                    .help = "minimum distance of candidates from the identity and from each other",
                                     .auto_help = "1/16 of the tile's shorter side"});
-    visit(self.choice, Field{.name = "choice", .help = "impact: the least impact; balanced: no grid from afar"});
-    visit(self.search, Field{.name = "search",
-                             .help = "exact: all translations; refined: at reduced size first",
-                             .auto_help = "exact up to 1024 x 1024 texels without rotations and scales, else refined"});
+    visit(self.choice,
+          Field{.name = "choice",
+                .help = "impact: take those of least impact; balanced: also avoid a grid that shows from a distance"});
+    visit(self.search,
+          Field{.name = "search",
+                .help = "exact: test all translations; refined: search at reduced size first",
+                .auto_help = "exact up to 1024 x 1024 texels without rotations and scales, otherwise refined"});
     visit(self.rotations, Field{.name = "rotations",
                                 .unit = "directions",
                                 .min = 1,
                                 .max = 8,
-                                .help = "contents may be turned: 1, 2, 4 or 8 directions",
-                                .auto_help = "1, but 2 on a structure"});
+                                .help = "number of directions into which contents may be rotated: 1, 2, 4 or 8",
+                                .auto_help = "1; 2 on a structure"});
     visit(self.scales, Field{.name = "scales",
                              .unit = "sizes",
                              .min = 1,
                              .max = 16,
-                             .help = "contents may be shown smaller",
+                             .help = "number of sizes at which contents may appear; 1: full size only",
                              .auto_help = "1"});
-    visit(self.min_scale, Field{.name = "min-scale", .min = 0.5, .max = 1, .help = "the smallest of several sizes"});
+    visit(self.min_scale, Field{.name = "min-scale", .min = 0.5, .max = 1, .help = "smallest of the sizes"});
     visit(self.lattice, Field{.name = "lattice",
-                              .help = "auto: where bricks or a weave show a lattice, contents move along it alone; "
-                                      "without rotations and scales"});
-    visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the joint choice"});
-    visit(self.soft_border_px, Field{.name = "soft-border",
-                                     .unit = "px",
-                                     .min = 0,
-                                     .max = 32,
-                                     .help = "over how many texels on either side of their borders patches blend; 0 "
-                                             "and 1: hard borders",
-                                     .auto_help = "3/1024 of the tile's shorter side, 2 to 4"});
+                              .help = "auto: if bricks or a weave show a lattice, contents move only along it; not "
+                                      "with rotations or scales"});
+    visit(self.seed,
+          Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "random seed of the joint choice of contents"});
+    visit(self.soft_border_px,
+          Field{.name = "soft-border",
+                .unit = "px",
+                .min = 0,
+                .max = 32,
+                .help = "width over which patches blend on either side of their borders; 0 and 1: hard borders",
+                .auto_help = "3/1024 of the tile's shorter side, 2 to 4"});
   }
 };
 

@@ -21,11 +21,9 @@ void check_window(const Window& window, V2i tile_size) {
     throw Error(ErrorKind::usage, "window: expected an origin inside its tile");
   const uint64_t longest = static_cast<uint64_t>(std::max(window.width, window.height));
   if (longest * window.step_256 + side_256(std::max(tile_size.x, tile_size.y)) > std::numeric_limits<uint32_t>::max())
-    throw Error(
-        ErrorKind::usage,
-        fmt::format("window: expected less than 16777216 texels on each side, found {} pixels of {}/256 texels; "
-                    "draw it in parts",
-                    longest, window.step_256));
+    throw Error(ErrorKind::usage, fmt::format("window: expected fewer than 16777216 texels on each side, found {} "
+                                              "pixels of {}/256 texels; draw it in parts",
+                                              longest, window.step_256));
 }
 
 int level_256_of(const Window& window, int level_count) {

@@ -18,10 +18,9 @@ namespace texbake {
 namespace {
 
 [[noreturn]] void fail(const std::string& what) {
-  throw Error(ErrorKind::unsupported,
-              fmt::format("OpenGL: {}; on Debian, `apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri` gives a "
-                          "software driver that needs no display",
-                          what));
+  throw Error(ErrorKind::unsupported, fmt::format("OpenGL: {}; on Debian, \"apt-get install libegl1 libegl-mesa0 "
+                                                  "libgl1-mesa-dri\" installs a software driver that needs no display",
+                                                  what));
 }
 
 struct EglFunctions {
@@ -69,9 +68,8 @@ EGLDisplay device_display(const EglFunctions& egl, int number) {
   EGLint count = 0;
   if (!egl.QueryDevices || !egl.GetPlatformDisplay ||
       !egl.QueryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count))
-    fail("this EGL does not list devices");
-  if (number < 0 || number >= count)
-    fail(fmt::format("expected an EGL device of 0 to {}, found {}", count - 1, number));
+    fail("this EGL cannot list devices");
+  if (number < 0 || number >= count) fail(fmt::format("expected EGL device 0 to {}, found {}", count - 1, number));
   return egl.GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(number)], nullptr);
 }
 
@@ -132,11 +130,11 @@ GlContext::GlContext(const GlContextOptions& options) : state_(std::make_unique<
   const char* const version = options.language == ShaderLanguage::glsl_330 ? "OpenGL 3.3 core" : "OpenGL ES 3.0";
   s.context = create_context(s.egl, s.display, options.language);
   if (s.context == EGL_NO_CONTEXT || !s.egl.MakeCurrent(s.display, EGL_NO_SURFACE, EGL_NO_SURFACE, s.context))
-    fail(fmt::format("expected a driver of {} without a surface, found {}", version,
+    fail(fmt::format("expected a driver for {} that needs no surface, found {}", version,
                      s.egl.QueryString(s.display, EGL_VENDOR)));
   for_each_gl_function(s.gl, [&](auto& function, const char* name) {
     function = reinterpret_cast<std::decay_t<decltype(function)>>(s.egl.GetProcAddress(name));
-    if (!function) fail(fmt::format("the driver has no {}", name));
+    if (!function) fail(fmt::format("the driver lacks {}", name));
   });
 }
 

@@ -36,35 +36,33 @@ struct HeightmapOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.descriptor,
-          Field{.name = "descriptor",
-                .help = "what looks alike: appearance compares smoothed colour, its deviation and gradient; gradients "
-                        "is the paper's, inside each colour class"});
+    visit(self.descriptor, Field{.name = "descriptor",
+                                 .help = "how texels are compared: appearance uses smoothed color, its deviation and "
+                                         "gradient; gradients is the paper's method, within each color class"});
     visit(self.nearest, Field{.name = "nearest",
                               .unit = "clicks",
                               .min = 1,
                               .max = 64,
-                              .help = "how many of the clicks most alike a height is blended from",
-                              .auto_help = "8; with gradients 3"});
+                              .help = "number of most similar clicks that a height is blended from",
+                              .auto_help = "8; with --descriptor gradients: 3"});
     visit(self.falloff, Field{.name = "falloff",
                               .min = 1,
                               .max = 8,
-                              .help = "weights are 1 / distance to this power; more gives more contrast",
-                              .auto_help = "2; with gradients 1"});
+                              .help = "weights are 1 / distance to this power; larger values give more contrast",
+                              .auto_help = "2; with --descriptor gradients: 1"});
     visit(self.max_representatives,
           Field{.name = "max-representatives",
                 .unit = "clicks",
                 .min = 3,
                 .max = 100000,
-                .help = "of more clicks, such as strokes of a brush, those are used whose surroundings differ most; "
-                        "with gradients so many in each class"});
+                .help = "maximum number of clicks used; of more, such as brush strokes, those whose surroundings "
+                        "differ most are kept (with --descriptor gradients: this many in each class)"});
     visit(self.refine,
           Field{.name = "refine",
                 .min = 0,
                 .max = 1000,
-                .help = "how strongly heights are smoothed along the surface, up to edges of its colours; 0: "
-                        "not at all",
-                .auto_help = "16; with gradients 0"});
+                .help = "strength of the smoothing of heights along the surface, up to its color edges; 0: none",
+                .auto_help = "16; with --descriptor gradients: 0"});
   }
 };
 HeightmapOptions resolve(const HeightmapOptions& options);

@@ -40,46 +40,58 @@ struct DecomposeOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.space,
-          Field{.name = "noise-space",
-                .help = "root: layers are found in, and noise added to, the square root of light; linear: in light"});
+    visit(
+        self.space,
+        Field{
+            .name = "noise-space",
+            .help =
+                "root: separate the layers in the square root of light, and add noise to it; linear: in light itself"});
     visit(self.noises, Field{.name = "noises",
                              .min = 1,
                              .max = kMaxNoises,
-                             .help = "number of random patterns (K) that the eye tells apart"});
-    visit(self.local_size, Field{.name = "local-size",
-                                 .unit = "texels",
-                                 .min = 2,
-                                 .max = 16,
-                                 .help = "side of the local spectra: 2, 4, 8 or 16; larger moves more into the noise",
-                                 .auto_help = "the largest whose synthesis still resembles the exemplar"});
-    visit(self.masks, Field{.name = "masks", .help = "binary: sharp transitions; soft: blends"});
+                             .help = "number of noises (K): random patterns that the eye tells apart"});
+    visit(self.local_size,
+          Field{.name = "local-size",
+                .unit = "texels",
+                .min = 2,
+                .max = 16,
+                .help = "side of the local spectra: 2, 4, 8 or 16; a larger side moves more into the noise",
+                .auto_help = "the largest side whose synthesis still resembles the exemplar"});
+    visit(self.masks, Field{.name = "masks", .help = "binary: sharp transitions between noises; soft: blends"});
     visit(self.mask_size, Field{.name = "mask-size",
                                 .unit = "texels",
                                 .min = 2,
                                 .max = 16,
-                                .help = "side of the local spectra of the masks: 2, 4, 8 or 16; small: exact borders, "
-                                        "large: noises that differ little",
-                                .auto_help = "the local size"});
-    visit(self.color_weight, Field{.name = "mask-color-weight",
-                                   .min = 0,
-                                   .max = 100,
-                                   .help = "variance of the colour against that of the spectra when masks are found"});
+                                .help = "side of the local spectra for the masks: 2, 4, 8 or 16; small sides give "
+                                        "exact borders, large ones separate noises that differ little",
+                                .auto_help = "the value of --local-size"});
+    visit(self.color_weight,
+          Field{.name = "mask-color-weight",
+                .min = 0,
+                .max = 100,
+                .help = "variance of the color relative to that of the spectra when the masks are found"});
     visit(self.sharp_border_px, Field{.name = "sharp-border",
                                       .unit = "px",
                                       .min = 0,
                                       .max = 32,
-                                      .help = "half width of a band along mask borders that stays in the structure"});
-    visit(self.second_pass, Field{.name = "second-pass",
-                                  .help = "auto: extract structure from the noise again where some was left; never"});
-    visit(self.sigma, Field{.name = "structure-sigma",
-                            .min = 1e-4,
-                            .max = 1,
-                            .help = "how different two local spectra may be, in 10 standard deviations of luminance",
-                            .auto_help = "0.01, the paper's, or half of it where that takes structure for noise"});
-    visit(self.iterations,
-          Field{.name = "structure-iterations", .min = 1, .max = 50, .help = "how often the structure is filtered"});
-    visit(self.seed, Field{.name = "mask-seed", .min = 0, .max = 4294967295.0, .help = "seed of the clustering"});
+                                      .help = "half width of the band along mask borders that stays in the structure"});
+    visit(
+        self.second_pass,
+        Field{.name = "second-pass",
+              .help = "auto: extract structure from the noise a second time if some was left there; never: once only"});
+    visit(self.sigma,
+          Field{.name = "structure-sigma",
+                .min = 1e-4,
+                .max = 1,
+                .help =
+                    "how different two local spectra may be to count as alike, in 10 standard deviations of luminance",
+                .auto_help = "0.01, as in the paper; half of it if that would take structure for noise"});
+    visit(self.iterations, Field{.name = "structure-iterations",
+                                 .min = 1,
+                                 .max = 50,
+                                 .help = "number of times that the structure is filtered"});
+    visit(self.seed,
+          Field{.name = "mask-seed", .min = 0, .max = 4294967295.0, .help = "random seed of the clustering"});
   }
 };
 

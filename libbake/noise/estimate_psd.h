@@ -47,41 +47,45 @@ struct EstimatePsdOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.space, Field{.name = "noise-space",
-                            .help = "root: noise is added to the square root of light; linear: to light",
-                            .auto_help = "that of decompose"});
+                            .help = "root: add noise to the square root of light; linear: to light",
+                            .auto_help = "the value used by decompose"});
     visit(self.spectrum_size,
           Field{.name = "spectrum-size",
                 .unit = "texels",
                 .min = 4,
                 .max = 256,
-                .help = "side T of a spectrum, a power of two; halved where a mask is too small for it"});
-    visit(self.estimator,
-          Field{.name = "estimator", .help = "autocovariance: over the whole tile, least error; windows: the paper's"});
+                .help = "side T of a spectrum, a power of two; halved if a mask is too small for it"});
+    visit(self.estimator, Field{.name = "estimator",
+                                .help = "autocovariance: over the whole tile, least error; windows: as in the paper"});
     visit(self.core_share, Field{.name = "core-share",
                                  .min = 0.1,
                                  .max = 1,
-                                 .help = "share of a mask, closest to its mean spectrum, that is measured"});
+                                 .help = "share of a mask that is measured: the texels closest to its mean spectrum"});
     visit(self.local_size, Field{.name = "local-size",
                                  .unit = "texels",
                                  .min = 2,
                                  .max = 16,
-                                 .help = "side of the local spectra that say what is close: 2, 4, 8 or 16",
-                                 .auto_help = "that of decompose"});
-    visit(self.histogram, Field{.name = "histogram", .help = "exemplar: equalised to the exemplar's; gaussian: not"});
+                                 .help = "side of the local spectra that decide which texels are close: 2, 4, 8 or 16",
+                                 .auto_help = "the value used by decompose"});
+    visit(self.histogram,
+          Field{.name = "histogram",
+                .help = "exemplar: equalize each tile to the exemplar's histogram; gaussian: leave it Gaussian"});
     visit(self.tile_size, Field{.name = "noise-tile",
                                 .unit = "texels",
                                 .min = 512,
                                 .max = 4096,
-                                .help = "side of the noise tiles, a power of two: a noise has side x side values"});
-    visit(self.lobes, Field{.name = "lobes",
-                            .min = 0,
-                            .max = 6,
-                            .help = "Gaussian lobes of the compact spectrum of a channel; 0: no compact spectrum"});
-    visit(self.lobe_error, Field{.name = "lobe-error",
-                                 .min = 0,
-                                 .max = 1,
-                                 .help = "a compact spectrum is kept up to this relative error of its magnitudes"});
-    visit(self.seed, Field{.name = "noise-seed", .min = 0, .max = 4294967295.0, .help = "seed of the random phases"});
+                                .help = "side of the noise tiles, a power of two; a noise has side x side values"});
+    visit(self.lobes,
+          Field{.name = "lobes",
+                .min = 0,
+                .max = 6,
+                .help = "number of Gaussian lobes in the compact spectrum of a channel; 0: no compact spectrum"});
+    visit(self.lobe_error,
+          Field{.name = "lobe-error",
+                .min = 0,
+                .max = 1,
+                .help = "largest relative error of its magnitudes at which a compact spectrum is kept"});
+    visit(self.seed, Field{.name = "noise-seed", .min = 0, .max = 4294967295.0, .help = "random seed of the phases"});
   }
 };
 

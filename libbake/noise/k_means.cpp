@@ -43,9 +43,10 @@ Vectors first_centres(const Vectors& vectors, int clusters, Random& random) {
       total += d;
     }
     if (!(total > 0.0))
-      throw Error(ErrorKind::infeasible, fmt::format("{} clusters were asked for, but there are only {} distinct local "
-                                                     "spectra; ask for fewer noises",
-                                                     clusters, k));
+      throw Error(
+          ErrorKind::infeasible,
+          fmt::format("{} clusters were requested, but there are only {} distinct local spectra; ask for fewer noises",
+                      clusters, k));
     double left = total * static_cast<double>(random.uniform());
     int chosen = -1;
     for (int i = 0; i < vectors.count() && left >= 0.0; ++i) {

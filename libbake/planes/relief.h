@@ -26,18 +26,27 @@ struct ReliefOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.depth_px, Field{.name = "relief",
-                               .unit = "texels",
-                               .min = 0,
-                               .max = 1024,
-                               .help = "of the coarsest scale between height 0 and 1; 0: flat and unlit"});
-    visit(self.shade_by, Field{.name = "shade", .help = "what tells the slope of the relief to the light"});
-    visit(self.ambient,
-          Field{.name = "ambient", .min = 0, .max = 1, .help = "share of the light that has no direction"});
-    visit(self.linear_steps,
-          Field{.name = "relief-steps", .min = 1, .max = 1024, .help = "of the linear search along a ray"});
-    visit(self.binary_steps,
-          Field{.name = "relief-refinements", .min = 0, .max = 16, .help = "of the binary search that follows"});
+    visit(
+        self.depth_px,
+        Field{
+            .name = "relief",
+            .unit = "texels",
+            .min = 0,
+            .max = 1024,
+            .help =
+                "depth of the relief: texels of the coarsest scale between height 0 and height 1; 0: flat and unlit"});
+    visit(self.shade_by,
+          Field{.name = "shade",
+                .help = "source of the surface slope that is lit: the height map or the normal map; none: unlit"});
+    visit(self.ambient, Field{.name = "ambient", .min = 0, .max = 1, .help = "share of ambient light"});
+    visit(self.linear_steps, Field{.name = "relief-steps",
+                                   .min = 1,
+                                   .max = 1024,
+                                   .help = "maximum number of steps of the linear search along a ray"});
+    visit(self.binary_steps, Field{.name = "relief-refinements",
+                                   .min = 0,
+                                   .max = 16,
+                                   .help = "number of steps of the binary search that follows"});
   }
 };
 

@@ -11,7 +11,7 @@
 namespace texbake {
 namespace {
 
-constexpr const char* kOneColor = "the exemplar has one colour";
+constexpr const char* kOneColor = "the exemplar has only one color";
 
 Measured measured(const std::optional<double>& value, const std::string& reason) {
   return value && std::isfinite(*value) ? Measured::of(*value) : Measured::undefined(reason);
@@ -26,7 +26,7 @@ void measure_repetition(ImageView<const V3f> rendering_luv, V2i tile, MeasureRow
   const auto share = [](const std::optional<Repetition>& found, const char* reason) {
     return found ? Measured::of(found->share) : Measured::undefined(reason);
   };
-  const char* faded = "the rendering has one colour from this far";
+  const char* faded = "the rendering has only one color at this distance";
   row[Measure::repetition_near] = share(near, kOneColor);
   row[Measure::repetition_mid] = share(middle, faded);
   row[Measure::repetition_far] = share(far, faded);
@@ -37,7 +37,7 @@ void measure_bands(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rende
   const auto ratios = octave_band_ratios(exemplar_luv, rendering_luv);
   for (size_t i = 0; i < kBandCount; ++i)
     row[static_cast<Measure>(static_cast<size_t>(Measure::band_finest) + i)] =
-        measured(ratios[i], "the exemplar has no variation of this size");
+        measured(ratios[i], "the exemplar has no variation at this size");
 }
 
 void measure_fidelity(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv,
@@ -46,16 +46,17 @@ void measure_fidelity(ImageView<const V3f> exemplar_luv, ImageView<const V3f> re
   const int side = std::min(exemplar_luv.width(), exemplar_luv.height());
   row[Measure::spectrum] =
       measured(spectrum_distance_db(exemplar_luv, rendering_luv),
-               side < 32 ? fmt::format("the exemplar is {} texels wide, less than the 32 that a spectrum needs", side)
+               side < 32 ? fmt::format("the exemplar is {} texels wide, fewer than the 32 that a spectrum needs", side)
                          : kOneColor);
   const auto gradients = gradient_match(exemplar_luv, rendering_luv);
   row[Measure::gradient_ratio] = gradients ? Measured::of(gradients->ratio_of_means) : Measured::undefined(kOneColor);
   row[Measure::gradient_distance] =
       gradients ? Measured::of(gradients->quantile_distance) : Measured::undefined(kOneColor);
-  row[Measure::structure] = measured(
-      structure_distance(exemplar_luv, rendering_luv, periodic_luv, seed),
-      side < 8 ? fmt::format("the exemplar is {} texels wide, less than a window of 8", side)
-               : "more than half of the exemplar's windows are exact copies of others, so that no distance is left");
+  row[Measure::structure] =
+      measured(structure_distance(exemplar_luv, rendering_luv, periodic_luv, seed),
+               side < 8 ? fmt::format("the exemplar is {} texels wide, narrower than a window of 8", side)
+                        : "more than half of the exemplar's windows are exact copies of others, which leaves no "
+                          "distance to compare with");
 }
 
 // Columns begin … end−1.

@@ -18,18 +18,23 @@ struct ReportOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.seeds, Field{.name = "seeds",
-                            .unit = "renderings",
-                            .min = 1,
-                            .max = 64,
-                            .help = "of every method; numbers are their mean ± standard deviation"});
-    visit(self.tiles,
-          Field{.name = "tiles", .unit = "tiles", .min = 2, .max = 32, .help = "on each side of a rendering"});
+    visit(self.seeds,
+          Field{.name = "seeds",
+                .unit = "renderings",
+                .min = 1,
+                .max = 64,
+                .help = "number of renderings of each method; results are their mean ± standard deviation"});
+    visit(self.tiles, Field{.name = "tiles",
+                            .unit = "tiles",
+                            .min = 2,
+                            .max = 32,
+                            .help = "number of tiles on each side of a rendering"});
     visit(self.side_px, Field{.name = "side",
                               .unit = "px",
                               .min = 32,
                               .max = 16384,
-                              .help = "a tile with a longer side is measured at half of its size, a third, ..."});
+                              .help = "longest tile side that is measured at full size; larger tiles are measured at a "
+                                      "half, a third, ... of their size"});
   }
 
   /// A preview in a few seconds: one seed, the tile at 256 texels.

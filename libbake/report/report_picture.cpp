@@ -87,8 +87,8 @@ ReportPicture contents_picture(const EvaluatorInput& tile) {
       }
   }
   return {PictureGroup::parts,
-          fmt::format("What may fill patch {}, the largest: itself and {} more; its neighbours are dimmed", patch,
-                      tile.contents->content_count - 1),
+          fmt::format("What may fill patch {}, the largest: its own content and {} more; its neighbors are dimmed",
+                      patch, tile.contents->content_count - 1),
           std::move(strip), false};
 }
 
@@ -107,9 +107,9 @@ ReportPicture spectrum_picture(ImageView<const float> spectrum, size_t number) {
 void add_layers(const EvaluatorPlanes& planes, const std::vector<ImageView<const float>>& spectra,
                 std::vector<ReportPicture>& pictures) {
   if (planes.noise_step == 0) return;
-  pictures.push_back(shown(planes, Show::structure, {1, 1}, "The structure alone", PictureGroup::layers));
-  pictures.push_back(shown(planes, Show::noise, {1, 1}, "The noise alone, about middle grey", PictureGroup::layers));
-  pictures.push_back(shown(planes, Show::masks, {1, 1}, "Masks: where each noise lives", PictureGroup::layers));
+  pictures.push_back(shown(planes, Show::structure, {1, 1}, "The structure only", PictureGroup::layers));
+  pictures.push_back(shown(planes, Show::noise, {1, 1}, "The noise only, around middle gray", PictureGroup::layers));
+  pictures.push_back(shown(planes, Show::masks, {1, 1}, "Masks: where each noise occurs", PictureGroup::layers));
   for (size_t i = 0; i < spectra.size(); ++i) pictures.push_back(spectrum_picture(spectra[i], i));
 }
 
@@ -133,7 +133,8 @@ std::vector<ReportPicture> bundle_pictures(const EvaluatorInput& tile, const Eva
   if (!planes.fragment_idx.empty()) pictures.push_back(shown(planes, Show::fragments, {1, 1}, "Fragments"));
   if (tile.patches) pictures.push_back(shown(planes, Show::patches, {1, 1}, "Patches"));
   if (tile.patches && tile.contents) {
-    pictures.push_back(shown(planes, Show::contents, {3, 3}, "Contents of 3 × 3 tiles; grey shows the patch itself"));
+    pictures.push_back(
+        shown(planes, Show::contents, {3, 3}, "Contents of 3 × 3 tiles; gray marks the patch's own content"));
     pictures.push_back(contents_picture(tile));
   }
   add_layers(planes, spectra, pictures);
@@ -164,7 +165,7 @@ ReportPicture seam_picture(ImageView<const V3f> tile_luv, const RenderingSources
       if (seams(x, y) == SeamTexel::hidden) picture(x, y) = V3f(0.02f, 0.25f, 1.0f);
       if (seams(x, y) == SeamTexel::visible) picture(x, y) = V3f(1.0f, 0.03f, 0.02f);
     }
-  return {PictureGroup::seams, "Seams over the greyed texture: blue where they hide, red where they step strongly",
+  return {PictureGroup::seams, "Seams over the grayed texture: blue where they are hidden, red where they stand out",
           std::move(picture), false};
 }
 
@@ -179,10 +180,10 @@ ReportPicture repetition_picture(ImageView<const V3f> rendering_luv, V2i tile) {
       picture(x, y) = V3f(std::clamp(share, 0.0f, 1.0f), std::clamp(share - 1.0f, 0.0f, 1.0f),
                           std::clamp(share - 2.0f, 0.0f, 1.0f));
     }
-  return {
-      PictureGroup::seams,
-      "Repetition over the tile: black where what shows changes from tile to tile, white where it is always the same",
-      std::move(picture), false};
+  return {PictureGroup::seams,
+          "Repetition over the tile: black where what is shown changes from tile to tile, white where it is always the "
+          "same",
+          std::move(picture), false};
 }
 
 }  // namespace texbake

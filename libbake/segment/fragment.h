@@ -25,27 +25,27 @@ struct FragmentOptions {
                                 .min = 0.01,
                                 .max = 1000,
                                 .help = "contrast at which a fragment stops growing (τ)",
-                                .auto_help = "from the spread of the variation coordinate"});
+                                .auto_help = "derived from the spread of the variation coordinate"});
     visit(self.min_area_px, Field{.name = "min-area",
                                   .unit = "px",
                                   .min = 1,
                                   .max = 1e8,
-                                  .help = "smaller fragments are dissolved into their neighbours",
+                                  .help = "minimum area of a fragment; smaller ones are dissolved into their neighbors",
                                   .auto_help = "from the size of the tile"});
     visit(self.max_area_px, Field{.name = "max-area",
                                   .unit = "px",
                                   .min = 4,
                                   .max = 1e8,
-                                  .help = "a fragment stops growing at this area",
+                                  .help = "maximum area of a fragment, at which it stops growing",
                                   .auto_help = "from the size of the tile"});
     visit(self.denoise_px, Field{.name = "denoise",
                                  .unit = "px",
                                  .min = 0,
                                  .max = 64,
-                                 .help = "Gaussian that takes the grain out of the picture that decides the borders; "
-                                         "0 grows on the classes as they are",
-                                 .auto_help = "from the size of the tile: 1.5 px at 1024 x 1024"});
-    visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the growth order"});
+                                 .help = "sigma of the Gaussian that removes grain from the picture in which borders "
+                                         "are found; 0: fragments grow on the classes unsmoothed",
+                                 .auto_help = "derived from the size of the tile: 1.5 px at 1024 x 1024"});
+    visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "random seed of the growth order"});
   }
 };
 

@@ -103,8 +103,8 @@ Partition unwrap(Image<uint32_t> idx) {
     const Extent extent = flood(partition.idx, start, partition.owner, visited, queue);
     if (!extent.fits(size))
       throw Error(ErrorKind::bad_data,
-                  fmt::format("partition: expected shape {} to unwrap to at most {} x {} texels, under half the tile, "
-                              "found {} x {} or more, from texel ({}, {}); split it",
+                  fmt::format("partition: expected shape {} to unwrap to at most {} x {} texels, less than half the "
+                              "tile, found {} x {} or more, starting at texel ({}, {}); split it",
                               shape, max_extent(size.x), max_extent(size.y), extent.high.x - extent.low.x + 1,
                               extent.high.y - extent.low.y + 1, first.x, first.y));
 

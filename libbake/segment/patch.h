@@ -16,9 +16,9 @@ struct PatchOptions {
                             .unit = "patches",
                             .min = 1,
                             .max = 4096,
-                            .help = "number of patches aimed at",
-                            .auto_help = "16, fewer where fragments are few"});
-    visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "of the circle packing"});
+                            .help = "target number of patches",
+                            .auto_help = "16; fewer if there are few fragments"});
+    visit(self.seed, Field{.name = "seed", .min = 0, .max = 4294967295.0, .help = "random seed of the circle packing"});
   }
 };
 

@@ -19,14 +19,13 @@ struct FlattenOptions {
                 .unit = "px",
                 .min = 0,
                 .max = 8192,
-                .help = "even out the colour's local mean and contrast at this scale (a Gaussian's σ): "
-                        "takes out shading and odd ones out; an eighth of the tile's side is a good "
-                        "start; 0: off"});
-    visit(self.contrast, Field{.name = "flatten-contrast",
-                               .min = 0,
-                               .max = 1,
-                               .help = "of the local contrast's difference from the tile's, the share that --flatten "
-                                       "evens out"});
+                .help = "scale (a Gaussian's σ) at which local mean and contrast of the color are evened out; this "
+                        "removes shading and outliers; 0: off; an eighth of the tile's side is a good start"});
+    visit(self.contrast,
+          Field{.name = "flatten-contrast",
+                .min = 0,
+                .max = 1,
+                .help = "share of the difference between local contrast and the tile's that --flatten evens out"});
   }
 };
 

@@ -41,11 +41,9 @@ AxisPlan whole_axis(int length, int multiple) { return {false, 0, length, 0, nea
 AxisPlan cut_axis(ImageView<const V3f> luv, const PeriodicOptions& options, const char* side) {
   const PeriodRange range = period_range(luv.width(), options.overlap_px);
   if (range.greatest < range.least)
-    throw Error(
-        ErrorKind::infeasible,
-        fmt::format("--overlap: expected at most half of the exemplar's {} of {} texels, found {}: give less, or "
-                    "a larger exemplar",
-                    side, luv.width(), *options.overlap_px));
+    throw Error(ErrorKind::infeasible, fmt::format("--overlap: expected at most half of the exemplar's {} of {} "
+                                                   "texels, found {}; use less, or a larger exemplar",
+                                                   side, luv.width(), *options.overlap_px));
   const int multiple = multiple_within(options.multiple, range.least, range.greatest);
   const Period period = best_period(luv, {multiple, options.overlap_px});
   const int begin = (luv.width() - period.length - period.overlap) / 2;

@@ -32,21 +32,22 @@ struct PeriodicOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.periodic, Field{.name = "periodic",
-                               .help = "take the exemplar as a tile (assume), close it into one (make), or make where "
-                                       "its wrap shows (auto)"});
-    visit(self.multiple, Field{.name = "multiple",
-                               .unit = "px",
-                               .min = 1,
-                               .max = 4096,
-                               .help = "width and height of the tile are multiples of this; mip levels need powers of "
-                                       "two"});
+    visit(self.periodic,
+          Field{.name = "periodic",
+                .help =
+                    "assume: use the exemplar as a tile; make: close it into one; auto: make if its wrap seam shows"});
+    visit(self.multiple,
+          Field{.name = "multiple",
+                .unit = "px",
+                .min = 1,
+                .max = 4096,
+                .help = "the tile's width and height are multiples of this; mip levels need powers of two"});
     visit(self.overlap_px, Field{.name = "overlap",
                                  .unit = "px",
                                  .min = 4,
                                  .max = 8192,
                                  .help = "width of the strips in which the cuts run",
-                                 .auto_help = "the rest of the exemplar beside the tile that closes best"});
+                                 .auto_help = "what remains of the exemplar beside the tile that closes best"});
   }
 };
 

@@ -242,7 +242,7 @@ bool write(const std::string& path, const std::string& text) {
   if (before == text) return true;
   if (!before.empty() && Json::parse(before).at("semantics") == kSemantics) {
     std::fprintf(stderr,
-                 "%s: would change within semantics %d. A change of meaning raises the number in prepare.h and "
+                 "%s: would change within semantics %d. A change of meaning raises the number in semantics.h and "
                  "shaders/README.md; to add points, remove the file first.\n",
                  path.c_str(), kSemantics);
     return false;
