@@ -28,7 +28,7 @@ done
 # No driver, an old one, no such device: one message, exit code 5, nothing written.
 export MESA_GL_VERSION_OVERRIDE=2.1
 [ "$(code_of texbake verify good.texbundle --backend gl)" -eq 5 ] || fail "an old OpenGL is not refused"
-grep -q 'expected a driver of OpenGL 3.3 core' err || fail "$(cat err)"
+grep -q 'expected a driver for OpenGL 3.3 core' err || fail "$(cat err)"
 unset MESA_GL_VERSION_OVERRIDE
 [ "$(code_of env __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null "$TEXBAKE" verify good.texbundle --backend gl)" -eq 5 ] ||
   fail "no EGL is not refused"
