@@ -40,12 +40,15 @@ int drawn_content(int patch_idx, uvec2 tile) {
   return int(((drawn >> 16u) * content_count) >> 16u);
 }
 
+// Where the centre of a patch lies: (owner.x + 1) | (owner.y + 1) << 2, in repetitions.
+ivec2 owner_of(uint bits) { return ivec2(int(bits & 3u) - 1, int(bits >> 2u) - 1); }
+
 // The repetition is taken from the patch's centre, so that its halves across a border of the tile agree.
 Decision decide(Texel at) {
   uvec4 owned = texelFetch(patch_plane, ivec2(at.p.x, at.p.y + plane_row), 0);
   Decision decision;
   decision.patch_idx = int(owned.x);
-  decision.owner = ivec2(int(owned.y & 3u) - 1, int(owned.y >> 2u) - 1);
+  decision.owner = owner_of(owned.y);
   decision.content = drawn_content(decision.patch_idx, at.tile + uvec2(decision.owner));
   return decision;
 }

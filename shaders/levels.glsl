@@ -4,7 +4,7 @@
 // Needs noise.glsl and, bound as README.md says, level_table, level_blocks, level_entries, level_weights, level_count,
 // first_level; level_row, block_row, entry_row and value_row, where the scale in use begins in them.
 //
-// `plane` is the base or a map, `kind` how its values change with their content (plane_kind in reference.frag, README.md §6), `values`
+// `plane` is the base or a map, `kind` how its values change with their content (plane_kind of constants.glsl, README.md §6), `values`
 // what every content of every patch shows in the blocks under it. A block of level l, about 2^l x 2^l texels, is told by
 // a Texel that counts blocks: its repetition of the tile, and its place there.
 
@@ -35,19 +35,34 @@ float sum_of_squares(float a, float b) {
 
 vec4 kind_value(sampler2D plane, int kind, Source source) {
   vec4 value = source_value(plane, source);
-  if (kind == 0 || kind == 4) return value;
-  if (kind == 3) return scaled_height(value, source);
-  if (kind >= 5) {
-    vec4 normal = turned_normal(vec4(value.y, value.z, value.w, 0.0f), source, kind == 5 ? 1.0f : -1.0f);
+  if (kind == kPlanePlain || kind == kPlaneStructure) return value;
+  if (kind == kPlaneHeight) return scaled_height(value, source);
+  if (kind == kPlaneReliefOpengl || kind == kPlaneReliefDirectx) {
+    vec4 normal = turned_normal(vec4(value.y, value.z, value.w, 0.0f), source, kind == kPlaneReliefOpengl ? 1.0f : -1.0f);
     return vec4(scaled_height(value, source).x, normal.x, normal.y, normal.z);
   }
-  return turned_normal(value, source, kind == 1 ? 1.0f : -1.0f);
+  return turned_normal(value, source, kind == kPlaneNormalOpengl ? 1.0f : -1.0f);
+}
+
+// Where a list has its element `number`, its first row being `row`.
+ivec2 list_place(uint number, int row) {
+  return ivec2(int(number & uint(kListWidth - 1)), int(number >> uint(kListWidthLog2)) + row);
+}
+
+// A texel of level_blocks: the first entry; its patch idx and owner, and how many entries follow. This is the patch of its
+// first entry, and the number of those that follow.
+uvec2 first_owned(uvec4 block) { return uvec2(block.y & 65535u, (block.y >> kBlockOwnerBit) & 15u); }
+uint entries_after(uvec4 block) { return block.y >> kBlockFollowingBit; }
+
+// The patch of an entry that is not the first of its block.
+uvec2 owned_by(uint entry) {
+  uvec4 owned = texelFetch(level_entries, list_place(entry, entry_row), 0);
+  return uvec2(owned.x, owned.y);
 }
 
 // The number of an entry's value: of the content that its patch shows.
 uint value_number(uint entry, uvec2 owned, uvec2 tile) {
-  uvec2 owner = uvec2(ivec2(int(owned.y & 3u) - 1, int(owned.y >> 2u) - 1));
-  return entry * content_count + uint(drawn_content(int(owned.x), tile + owner));
+  return entry * content_count + uint(drawn_content(int(owned.x), tile + uvec2(owner_of(owned.y))));
 }
 
 // What the patches under a block show there together.
@@ -57,20 +72,15 @@ struct Shares {
 };
 
 // The sum of all shares, in the order of the list; a share is what one patch shows there, times how much of the block it
-// covers. `block` is a texel of level_blocks: the first entry; its patch idx, owner << 16 and, << 20, how many entries
-// follow.
+// covers. `block` is a texel of level_blocks.
 Shares shares_of(sampler2D values, uvec4 block, uvec2 tile, bool weighed) {
   PRECISE vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   uvec4 weights = uvec4(0u, 0u, 0u, 0u);
-  uvec2 owned = uvec2(block.y & 65535u, (block.y >> 16u) & 15u);
-  uint end = block.x + (block.y >> 20u);
+  uvec2 owned = first_owned(block);
+  uint end = block.x + entries_after(block);
   for (uint entry = block.x; entry <= end; ++entry) {
-    if (entry != block.x) {
-      uvec4 next = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
-      owned = uvec2(next.x, next.y);
-    }
-    uint number = value_number(entry, owned, tile);
-    ivec2 place = ivec2(int(number & 4095u), int(number >> 12u) + value_row);
+    if (entry != block.x) owned = owned_by(entry);
+    ivec2 place = list_place(value_number(entry, owned, tile), value_row);
     vec4 value = texelFetch(values, place, 0);
     if (entry == block.x) sum = value;
     else sum = sum + value;
@@ -89,8 +99,8 @@ uvec4 shared_texel(Texel at) { return texelFetch(level_blocks, ivec2(at.p.x, at.
 
 // A texel of the infinite texture. Where borders of patches are soft, those on them have shares. Noise is added last.
 vec4 texel_value(sampler2D plane, int kind, sampler2D values, Texel at) {
-  bool has_noise = kind == 4 && noise_step != 0;
-  bool is_shared = first_level == 0 && (shared_texel(at).y >> 20u) != 0u;
+  bool has_noise = kind == kPlaneStructure && noise_step != 0;
+  bool is_shared = first_level == 0 && entries_after(shared_texel(at)) != 0u;
   if (is_shared && !has_noise) return shares_value(values, shared_texel(at), at.tile);
   Source source = source_of(at, decide(at));
   vec4 value = is_shared ? shares_value(values, shared_texel(at), at.tile) : kind_value(plane, kind, source);
@@ -138,7 +148,7 @@ Texel middle_of(Texel block, Grid grid) {
 vec4 block_value(sampler2D plane, int kind, sampler2D values, Texel block, Grid grid) {
   if (grid.corner.x < 0) return texel_value(plane, kind, values, block);
   uvec4 found = texelFetch(level_blocks, ivec2(grid.corner.x + block.p.x, grid.corner.y + block.p.y), 0);
-  bool has_noise = kind == 4 && noise_step != 0 && grid.noise >= 0;
+  bool has_noise = kind == kPlaneStructure && noise_step != 0 && grid.noise >= 0;
   Shares shares = shares_of(values, found, block.tile, has_noise);
   if (!has_noise) return shares.value;
   return with_noise_level(shares.value, shares.weights, noise_level_place(middle_of(block, grid), grid.noise));

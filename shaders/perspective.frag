@@ -21,6 +21,6 @@ void main() {
   if (!sight.hits) return;
   decided = uvec4(uint(sight.probes.at.offset.x), uint(sight.probes.at.offset.y), uint(sight.probes.level_256) | (uint(sight.probes.halvings) + 1u) << 16u,
                   (uint(sight.probes.axis_256.x) & 65535u) | uint(sight.probes.axis_256.y) << 16u);
-  if (view_filter == 0) value = texel_value(base, plane_kind, base_levels, texel_at(sight.probes.at));
+  if (view_filter == kFilterNearest) value = texel_value(base, plane_kind, base_levels, texel_at(sight.probes.at));
   else value = probes_value(base, plane_kind, base_levels, sight.probes);
 }

@@ -75,7 +75,7 @@ Ellipse ellipse_of(vec2 right, vec2 down) {
 }
 
 // At most so often is a row of probes doubled.
-int most_halvings() { return view_filter == 3 ? 4 : 0; }
+int most_halvings() { return view_filter == kFilterAnisotropic ? 4 : 0; }
 
 // How wide the probes of a footprint are: its shorter axis, or more where the row would have too many.
 float probe_width(Ellipse ellipse) {
@@ -138,6 +138,6 @@ Sight sight_at(Position below, float x, float y) {
   if (!sight.hits || !within_reach(ground.to)) return sight;
   sight.probes.at = ground_position(below, ground.to);
   sight.probes.level_256 = 0;
-  if (view_filter >= 2) sight.probes = footprint_probes(sight.probes.at, ground.right, ground.down);
+  if (view_filter >= kFilterTrilinear) sight.probes = footprint_probes(sight.probes.at, ground.right, ground.down);
   return sight;
 }

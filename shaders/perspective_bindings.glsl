@@ -3,4 +3,4 @@ uniform vec3 view_corner;   // of the ray through the view's upper left corner
 uniform vec3 view_right;    // what one pixel to the right adds
 uniform vec3 view_down;     // what one pixel down adds
 uniform float view_height;  // of the camera above the texture, in texels
-uniform int view_filter;    // 0 nearest, 1 bilinear, 2 trilinear, 3 anisotropic
+uniform int view_filter;    // kFilterNearest ... kFilterAnisotropic

@@ -3,10 +3,9 @@ uniform uvec2 origin_tile;    // repetition in which the window's upper left cor
 uniform ivec2 origin_offset;  // its place there, in 1/256 texel
 uniform uint step_256;        // 1/256 texels to a pixel
 uniform ivec2 first_row;      // row of the window on the target's lowest line, and the step to the line above: 1 or -1
-uniform int filter_kind;      // 0 nearest, 1 bilinear or trilinear
+uniform int filter_kind;      // kFilterNearest, or kFilterBilinear for trilinear too
 uniform int level_256;        // the level of detail in 1/256, 0 ... 256 (level_count + 1); bilinear: 0
-uniform int plane_kind;       // what `base` holds: 0 plain values, 1 normals with +y up, 2 normals with +y down, 3 height,
-                              // 4 the structure, with noise
+uniform int plane_kind;       // what `base` holds: kPlanePlain ... kPlaneStructure
 
 layout(location = 0) out vec4 value;
 layout(location = 1) out uvec4 decided;  // patch idx, content, source texel of labels
@@ -23,7 +22,7 @@ void main() {
   Decision decision = decide(texel);
   Source source = source_of(texel, decision);
   decided = uvec4(uint(decision.patch_idx), uint(decision.content), uint(source.nearest.x), uint(source.nearest.y));
-  if (deformed == 1) value = filter_kind == 0 ? deformed_value(base, texel) : deformed_footprint(base, at);
-  else if (filter_kind == 0) value = texel_value(base, plane_kind, base_levels, texel);
+  if (deformed == 1) value = filter_kind == kFilterNearest ? deformed_value(base, texel) : deformed_footprint(base, at);
+  else if (filter_kind == kFilterNearest) value = texel_value(base, plane_kind, base_levels, texel);
   else value = trilinear_value(base, plane_kind, base_levels, at, level_256);
 }

@@ -4,7 +4,7 @@
 // Needs levels.glsl, what relief_bindings.glsl binds, and the scale of the heights in use; relief_level is the level of
 // detail at which they are read.
 
-float height_at(Position at) { return level_value(height_plane, 3, height_levels, at, relief_level).x; }
+float height_at(Position at) { return level_value(height_plane, kPlaneHeight, height_levels, at, relief_level).x; }
 
 // To the nearest 1/256 texel.
 int rounded_256(float texels) { return int(floor(texels * 256.0f + 0.5f)); }

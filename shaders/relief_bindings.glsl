@@ -5,5 +5,5 @@ uniform vec4 relief_range;        // greatest height, least height, height of th
 uniform ivec2 relief_steps;       // steps of the linear search, at most, and of the binary one
 uniform float relief_depth;       // texels of the coarsest scale between height 0 and 1; 0: flat and unlit
 uniform vec4 relief_light;        // light.x / light.z, light.y / light.z, share of light from everywhere, 0
-uniform int relief_kind;          // of height_plane: 5 normals with +y up, 6 with +y down; 0: unlit
+uniform int relief_kind;          // of height_plane: kPlaneReliefOpengl, kPlaneReliefDirectx or kUnlit
 int relief_level;                 // at which heights are read

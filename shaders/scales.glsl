@@ -18,7 +18,7 @@ void use_scale(int scale) {
   ratio = table.y;
   first_class = table.z;
   transfer_bits = table.w;
-  first_level = (transfer_bits & 64) != 0 ? 0 : 1;
+  first_level = (transfer_bits & kSoftBorders) != 0 ? 0 : 1;
   noise_step = scale == scale_count - 1 ? finest_noise_step : 0;
   seed = stack_seed + uint(scale_count - 1 - scale) * 2654435769u;
 }
@@ -134,7 +134,7 @@ vec4 detail_mean(int scale, ivec2 p, float share) {
   vec4 dominant = texelFetch(color_table, ivec2(0, scale + 2), 0);
   vec4 whole = texelFetch(color_table, ivec2(1, scale + 2), 0);
   vec4 mean = share == 1.0f ? whole : lerp(dominant, whole, share);
-  if ((transfer_bits & 4) == 0) return mean;
+  if ((transfer_bits & kLocalMean) == 0) return mean;
   vec4 around = texelFetch(local_mean, ivec2(p.x, p.y + plane_row), 0);
   PRECISE vec4 moved = around + (mean - whole);
   return moved;
@@ -154,7 +154,7 @@ struct Shown {
 vec4 shared_color(int scale, Texel at, float share, vec4 alone) {
   ivec4 lists = scale_entry(2, scale);
   uvec4 block = texelFetch(level_blocks, ivec2(at.p.x, at.p.y + lists.y), 0);
-  if ((block.y >> 20u) == 0u) return alone;
+  if (entries_after(block) == 0u) return alone;
   ivec4 values = scale_entry(3, scale);
   ivec2 rows = ivec2(entry_row, value_row);
   entry_row = lists.z;
@@ -172,15 +172,13 @@ vec4 shared_color(int scale, Texel at, float share, vec4 alone) {
   return share == 1.0f ? whole : share == 0.0f ? dominant : lerp(dominant, whole, share);
 }
 
-// Of `scale`, which is in use. Bits: 1, 2 mode (0 fragment, 1 texel, 2 bilinear); 4 local mean; 8 without variation of
-// its own; 16 the coarser without variation; 32 labels are read in the coarsest scale too; 64 soft borders. The coarser
-// colour is that of the texel's own patch.
+// Of `scale`, which is in use. The coarser colour is that of the texel's own patch.
 Shown shown_texel(int scale, Texel at, float variation) {
-  float share = (transfer_bits & 8) != 0 ? 0.0f : variation;
+  float share = (transfer_bits & kNoVariation) != 0 ? 0.0f : variation;
   Decision decision = decide(at);
   Source source = source_of(at, decision);
   ivec4 labels = ivec4(0, 0, 0, 0);
-  if (scale > 0 || (transfer_bits & 32) != 0)
+  if (scale > 0 || (transfer_bits & kCoarsestLabels) != 0)
     labels = texelFetch(fragment_plane, ivec2(source.nearest.x, source.nearest.y + plane_row), 0);
   Shown shown;
   shown.color = with_variation(layered_value(base, at, source), labels.w, share);
@@ -191,7 +189,7 @@ Shown shown_texel(int scale, Texel at, float variation) {
   shown.mean = shown.color;
   if (scale == 0) return shown;
   ivec2 middle = source.nearest;
-  if ((transfer_bits & 3) == 0) {
+  if ((transfer_bits & kTransferMode) == kTransferFragment) {
     shown.anchor.p = fragment_center(at, decision, source, labels);
     middle = ivec2(wrap_any(middle.x + labels.x, tile_size.x), wrap_any(middle.y + labels.y, tile_size.y));
   }
@@ -223,7 +221,7 @@ vec4 stacked_texel(int finest, Texel place, float variation) {
     if (scale == 0) break;
     weight = weight * shown.taking;
     mean = shown.mean;
-    share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
+    share = (transfer_bits & kNoCoarserVariation) != 0 ? 0.0f : 1.0f;
     at = coarser_texel(scale, shown.anchor);
   }
   return vec4(sum.x, sum.y, sum.z, giving);
@@ -263,9 +261,9 @@ vec4 coarser_between(int scale, Position at, float coarser_share) {
 // What a texel `at` of a scale shows that belongs to one patch. Leaves another scale in use.
 vec4 hard_texel(int scale, Texel at, float variation) {
   use_scale(scale);
-  if (scale == 0 || (transfer_bits & 3) != 2) return without_w(stacked_texel(scale, at, variation));
+  if (scale == 0 || (transfer_bits & kTransferMode) != kTransferBilinear) return without_w(stacked_texel(scale, at, variation));
   Shown shown = shown_texel(scale, at, variation);
-  float coarser_share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
+  float coarser_share = (transfer_bits & kNoCoarserVariation) != 0 ? 0.0f : 1.0f;
   Position center;
   center.tile = at.tile;
   center.offset = ivec2(at.p.x * 256 + 128, at.p.y * 256 + 128);

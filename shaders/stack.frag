@@ -4,7 +4,7 @@ uniform uvec2 origin_tile;    // as in reference.frag, in terms of the scale tha
 uniform ivec2 origin_offset;
 uniform uint step_256;
 uniform ivec2 first_row;
-uniform int filter_kind;      // 0 nearest, 1 bilinear or trilinear
+uniform int filter_kind;      // kFilterNearest, or kFilterBilinear for trilinear too
 uniform int view_scale;       // the scale that shows
 uniform int level_256;        // its level of detail in 1/256, 0 ... 256 (level_count + 1)
 uniform float fading;         // 0 ... 1: how far it has faded into the one before it

@@ -7,9 +7,9 @@
 // of the entry's value.
 vec4 taken_by_fragments(int scale, uint number, uvec2 tile, float share, float coarser_share) {
   PRECISE vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  int i = int(number) + share_row * 4096;
+  int i = int(number) + share_row * kListWidth;
   do {
-    ivec4 fragment = texelFetch(fragment_shares, ivec2(i & 4095, i >> 12), 0);
+    ivec4 fragment = texelFetch(fragment_shares, list_place(uint(i), 0), 0);
     vec4 mean = detail_mean(scale, ivec2(fragment.z & 65535, fragment.z >> 16), share);
     Texel center;
     center.tile = tile;
@@ -59,10 +59,10 @@ vec4 taken_as_whole(int scale, Texel block, Grid grid, float share, float coarse
   middle.tile = block.tile;
   middle.offset = ivec2(corner.p.x * 256 + (grid.side_256.x >> 1), corner.p.y * 256 + (grid.side_256.y >> 1));
   ivec2 around = ivec2(0, 0);
-  if ((transfer_bits & 4) != 0) around = texel_source(texel_at(middle)).nearest;
+  if ((transfer_bits & kLocalMean) != 0) around = texel_source(texel_at(middle)).nearest;
   vec4 mean = detail_mean(scale, around, share);
   vec4 coarse = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  if ((transfer_bits & 3) == 1) coarse = coarser_mean(scale, corner, side, coarser_share);
+  if ((transfer_bits & kTransferMode) == kTransferTexel) coarse = coarser_mean(scale, corner, side, coarser_share);
   else coarse = coarser_between(scale, middle, coarser_share);
   vec4 taken = without_w(coarse) - mean;
   taken.w = coarse.w;
@@ -76,29 +76,25 @@ vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
   if (is_texel && first_level == 1) return hard_texel(scale, block, variation);
   ivec2 corner = is_texel ? ivec2(0, block_row) : grid.corner;
   uvec4 found = texelFetch(level_blocks, ivec2(corner.x + block.p.x, corner.y + block.p.y), 0);
-  if (is_texel && (found.y >> 20u) == 0u) return hard_texel(scale, block, variation);
-  float share = (transfer_bits & 8) != 0 ? 0.0f : variation;
-  float coarser_share = (transfer_bits & 16) != 0 ? 0.0f : 1.0f;
-  bool by_fragment = scale > 0 && (transfer_bits & 3) == 0;
+  if (is_texel && entries_after(found) == 0u) return hard_texel(scale, block, variation);
+  float share = (transfer_bits & kNoVariation) != 0 ? 0.0f : variation;
+  float coarser_share = (transfer_bits & kNoCoarserVariation) != 0 ? 0.0f : 1.0f;
+  bool by_fragment = scale > 0 && (transfer_bits & kTransferMode) == kTransferFragment;
 
   // Shares of the base, of the dominant colours, and of the coarser colours, patch by patch.
-  uvec2 owned = uvec2(found.y & 65535u, (found.y >> 16u) & 15u);
-  uint end = found.x + (found.y >> 20u);
+  uvec2 owned = first_owned(found);
+  uint end = found.x + entries_after(found);
   PRECISE vec4 whole = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   PRECISE vec4 dominant = whole;
   PRECISE vec4 taken = whole;
   bool has_noise = noise_step != 0 && grid.noise >= 0 && share != 0.0f;
   uvec4 weights = uvec4(0u, 0u, 0u, 0u);
   for (uint entry = found.x; entry <= end; ++entry) {
-    if (entry > found.x) {
-      uvec4 other = texelFetch(level_entries, ivec2(int(entry & 4095u), int(entry >> 12u) + entry_row), 0);
-      owned = uvec2(other.x, other.y);
-    }
+    if (entry > found.x) owned = owned_by(entry);
     uint number = value_number(entry, owned, block.tile);
-    ivec2 place = ivec2(int(number & 4095u), int(number >> 12u));
-    if (share != 0.0f) whole = whole + texelFetch(base_levels, ivec2(place.x, place.y + value_row), 0);
-    if (share != 1.0f) dominant = dominant + texelFetch(base_levels, ivec2(place.x, place.y + dominant_row), 0);
-    if (has_noise) weights = weights + texelFetch(level_weights, place, 0);
+    if (share != 0.0f) whole = whole + texelFetch(base_levels, list_place(number, value_row), 0);
+    if (share != 1.0f) dominant = dominant + texelFetch(base_levels, list_place(number, dominant_row), 0);
+    if (has_noise) weights = weights + texelFetch(level_weights, list_place(number, 0), 0);
     if (by_fragment) taken = taken + taken_by_fragments(scale, number, block.tile, share, coarser_share);
   }
   if (has_noise && is_texel) whole = with_noise(whole, weights, noise_place(block));

@@ -70,7 +70,7 @@ StackSight stack_sight_at(Position below, float x, float y) {
   SeenScale found = stack_scale(ground.hits ? width : 1.0f);
   // A scale that fades has no mean of its own beyond its last level.
   int last_256 = found.scale > 0 ? 256 * level_count : 256 * (level_count + 1);
-  int level_256 = view_filter < 2 || found.level_256 < 0 ? 0 : found.level_256 > last_256 ? last_256 : found.level_256;
+  int level_256 = view_filter < kFilterTrilinear || found.level_256 < 0 ? 0 : found.level_256 > last_256 ? last_256 : found.level_256;
 
   StackSight sight;
   sight.hits = ground.hits;
@@ -89,7 +89,7 @@ StackSight stack_sight_at(Position below, float x, float y) {
   if (!reached) return sight;
   sight = with_relief(sight, below, ground, ellipse, width);
   float major = ellipse.major / size;
-  if (view_filter < 2 || major > 65535.0f || ellipse.squared < 1e-30f) return sight;
+  if (view_filter < kFilterTrilinear || major > 65535.0f || ellipse.squared < 1e-30f) return sight;
 
   // Bilinear filtering is a texel wide at least, of either scale.
   float wide = width / size;

@@ -1,7 +1,7 @@
 // What a pixel shows of a stack: the mean of its probes, between the four blocks around each, between levels of detail, and
 // between the scale that shows and the one into which it fades. Needs stack_levels.glsl and stack_relief.glsl.
 
-// A point of one scale at a level of detail: between the four blocks around it or, where `smooth_filter` is 0, the one in
+// A point of one scale at a level of detail: between the four blocks around it or, where `smooth_filter` is kFilterNearest, the one in
 // which it lies.
 vec4 scale_level(int scale, Position at, int level, float variation, int smooth_filter) {
   use_scale(scale);
@@ -9,13 +9,13 @@ vec4 scale_level(int scale, Position at, int level, float variation, int smooth_
   if (level > level_count) return without_w(texelFetch(base_levels, ivec2(0, value_row), 0));
   Grid grid = grid_of(level);
   BlockCorner around = block_corner(at, grid);
-  if (smooth_filter == 0) {
+  if (smooth_filter == kFilterNearest) {
     ivec2 across = block_and_fraction(at.offset.x, grid.side_256.x, grid.shift.x);
     ivec2 down = block_and_fraction(at.offset.y, grid.side_256.y, grid.shift.y);
     around.first.tile = at.tile;
     around.first.p = ivec2(across.x, down.x);
   }
-  int count = smooth_filter == 0 ? 1 : 4;
+  int count = smooth_filter == kFilterNearest ? 1 : 4;
   vec4 left = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   vec4 upper = left;
   vec4 lower = left;

@@ -50,7 +50,7 @@ Relieved relief_at(Probes pixel, vec2 way, float width) {
   Relieved relieved;
   relieved.moved = vec2(slope.x * fallen, slope.y * fallen);
   relieved.light_4096 = 4096;
-  if (relief_kind == 0) return relieved;
+  if (relief_kind == kUnlit) return relieved;
 
   // The light on the mean of the normals that the pixel's probes see.
   int last_256 = 256 * (level_count + 1);
@@ -58,7 +58,7 @@ Relieved relief_at(Probes pixel, vec2 way, float width) {
   probes.at = moved_position(pixel.at, ivec2(rounded_256(relieved.moved.x), rounded_256(relieved.moved.y)));
   probes.level_256 = level_256 < 0 ? 0 : level_256 > last_256 ? last_256 : level_256;
   vec4 mean = probes_value(height_plane, relief_kind, height_levels, probes);
-  relieved.light_4096 = int(shade_of_normals(mean, relief_kind == 5 ? 1.0f : -1.0f, relief_light) * 4096.0f + 0.5f);
+  relieved.light_4096 = int(shade_of_normals(mean, relief_kind == kPlaneReliefOpengl ? 1.0f : -1.0f, relief_light) * 4096.0f + 0.5f);
   return relieved;
 }
 

@@ -9,7 +9,10 @@ namespace texbake {
 
 /// What the text calls view_filter.
 inline int view_filter(Filter filter) { return static_cast<int>(filter); }
-static_assert(static_cast<int>(Filter::nearest) == 0 && static_cast<int>(Filter::anisotropic) == 3);
+static_assert(static_cast<int>(Filter::nearest) == glsl::kFilterNearest &&
+              static_cast<int>(Filter::bilinear) == glsl::kFilterBilinear &&
+              static_cast<int>(Filter::trilinear) == glsl::kFilterTrilinear &&
+              static_cast<int>(Filter::anisotropic) == glsl::kFilterAnisotropic);
 
 /// The point under the camera.
 inline glsl::Position point_below(const Perspective& view) {

@@ -15,7 +15,7 @@ namespace {
 using glsl::LevelBlock;
 using glsl::PatchTexel;
 
-constexpr uint32_t kMaxEntriesInBlock = 1 << 12;  ///< what LevelBlock can count
+constexpr uint32_t kMaxEntriesInBlock = 1u << (32 - glsl::kBlockFollowingBit);  ///< what LevelBlock can count
 
 bool too_crowded(const LevelCover& cover) {
   for (size_t i = 0; i + 1 < cover.first.size(); ++i)
@@ -82,8 +82,8 @@ void check_count(const LevelLists& lists, int content_count) {
 }
 
 LevelBlock block_of(uint32_t first, std::span<const PatchTexel> entries) {
-  const uint32_t owned = entries[0].patch_idx | static_cast<uint32_t>(entries[0].owner) << 16;
-  return {first, owned | static_cast<uint32_t>(entries.size() - 1) << 20};
+  const uint32_t owned = entries[0].patch_idx | static_cast<uint32_t>(entries[0].owner) << glsl::kBlockOwnerBit;
+  return {first, owned | static_cast<uint32_t>(entries.size() - 1) << glsl::kBlockFollowingBit};
 }
 
 void store_list(const LevelList& list, EvaluatorPlanes& planes) {

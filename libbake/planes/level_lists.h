@@ -43,7 +43,7 @@ LevelLists level_lists(const EvaluatorPlanes& planes);
 void store_lists(const LevelLists& lists, EvaluatorPlanes& planes);
 
 /// Texels in a row of level_entries and of values.
-inline constexpr int kListWidth = 4096;
+inline constexpr int kListWidth = glsl::kListWidth;
 inline int list_rows(uint64_t count) { return static_cast<int>((count + kListWidth - 1) / kListWidth); }
 
 }  // namespace texbake

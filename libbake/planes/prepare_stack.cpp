@@ -16,8 +16,9 @@
 namespace texbake {
 namespace {
 
-// Bits of scale_table beside kLocalMean, as shown_texel of scales.glsl reads them.
-constexpr int kNoVariation = 8, kNoCoarseVariation = 16, kLabels = 32;
+static_assert(static_cast<int>(TransferMode::fragment) == glsl::kTransferFragment &&
+              static_cast<int>(TransferMode::texel) == glsl::kTransferTexel &&
+              static_cast<int>(TransferMode::bilinear) == glsl::kTransferBilinear);
 
 bool any_other_than_one(const std::vector<float>& list) {
   return std::any_of(list.begin(), list.end(), [](float x) { return x != 1.0f; });
@@ -48,13 +49,13 @@ int transfer_bits(const StackScale& scale, const ScaleTransfer* finer) {
   int bits = 0;
   if (const ScaleTransfer* own = scale.transfer) {
     bits = static_cast<int>(own->mode);
-    if (own->detail_mean == DetailMean::local) bits |= kLocalMean;
-    if (own->variation == VariationFrom::coarse) bits |= kNoVariation;
-    if (own->variation == VariationFrom::fine) bits |= kNoCoarseVariation;
+    if (own->detail_mean == DetailMean::local) bits |= glsl::kLocalMean;
+    if (own->variation == VariationFrom::coarse) bits |= glsl::kNoVariation;
+    if (own->variation == VariationFrom::fine) bits |= glsl::kNoCoarserVariation;
   }
   const bool reads_labels =
       finer && (any_other_than_one(finer->coarse_weights) || finer->variation == VariationFrom::fine);
-  return reads_labels ? bits | kLabels : bits;
+  return reads_labels ? bits | glsl::kCoarsestLabels : bits;
 }
 
 /// Shorter rows end with `empty`.

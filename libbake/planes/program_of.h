@@ -44,21 +44,21 @@ inline glsl::Decision decision_of(const glsl::PatchTexel& owned, int content) {
 inline int plane_kind(MapKind kind) {
   switch (kind) {
     case MapKind::normal_opengl:
-      return 1;
+      return glsl::kPlaneNormalOpengl;
     case MapKind::normal_directx:
-      return 2;
+      return glsl::kPlaneNormalDirectx;
     case MapKind::height:
-      return 3;
+      return glsl::kPlaneHeight;
     case MapKind::structure:
-      return 4;
+      return glsl::kPlaneStructure;
     case MapKind::relief_opengl:
-      return 5;
+      return glsl::kPlaneReliefOpengl;
     case MapKind::relief_directx:
-      return 6;
+      return glsl::kPlaneReliefDirectx;
     case MapKind::plain:
       break;
   }
-  return 0;
+  return glsl::kPlanePlain;
 }
 
 }  // namespace texbake

@@ -91,7 +91,7 @@ ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& 
   bound.light = {light.x / light.z, light.y / light.z, options.ambient, 0};
   bound.steps = {options.linear_steps, options.binary_steps};
   bound.depth_px = options.depth_px;
-  bound.kind = options.shade_by == ShadeBy::none ? 0 : plane_kind(kind);
+  bound.kind = options.shade_by == ShadeBy::none ? glsl::kUnlit : plane_kind(kind);
 
   Plane relief{"relief", kind, 4, heights_and_normals(heights.texels, normals, options.depth_px)};
   planes.maps.clear();

@@ -14,7 +14,7 @@ struct ReliefPlanes {
   glsl::vec4 range{0, 0, 0, 0}, light{0, 0, 1, 0};
   glsl::ivec2 steps{1, 0};
   float depth_px = 0;  ///< texels of the coarsest scale between height 0 and 1
-  int kind = 0;        ///< of normals: 5 +y up, 6 +y down; 0: unlit
+  int kind = 0;        ///< glsl::kPlaneReliefOpengl, kPlaneReliefDirectx or kUnlit
 };
 
 /// `coarsest` as the stack has it, with the map "height". The normals are those of the material, or those of the

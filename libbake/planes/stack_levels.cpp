@@ -12,8 +12,6 @@
 namespace texbake {
 namespace {
 
-constexpr int kSoftBorders = 64;  // bit of scale_table, as use_scale of scales.glsl reads it
-
 /// w: the share of the coarser colour that each texel takes.
 void set_texels(Plane& plane, const Image<V3f>& colors, const Image<float>& taking) {
   for (size_t i = 0; i < colors.size(); ++i) {
@@ -106,7 +104,7 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   for (size_t s = 0; s < scales.size(); ++s) {
     LeveledScale& scale = leveled_scales[s];
     count_from(scale.shares, share_row);
-    if (scale.planes.first_level == 0) stack.scale_entry(1, static_cast<int>(s)).w |= kSoftBorders;
+    if (scale.planes.first_level == 0) stack.scale_entry(1, static_cast<int>(s)).w |= glsl::kSoftBorders;
     stack.scale_entry(2, static_cast<int>(s)) = {level_row, block_row, entry_row, scale.level_count};
     stack.scale_entry(3, static_cast<int>(s)).x = value_row;
     stack.scale_entry(3, static_cast<int>(s)).z = share_row;

@@ -15,7 +15,7 @@ int64_t StackPlanes::texels_in(int scale) const {
 void set_detail_mean(StackPlanes& planes, int scale, DetailMean mean) {
   planes.transfers[static_cast<size_t>(scale)].detail_mean = mean;
   int& bits = planes.scale_entry(1, scale).w;
-  bits = mean == DetailMean::local ? bits | kLocalMean : bits & ~kLocalMean;
+  bits = mean == DetailMean::local ? bits | glsl::kLocalMean : bits & ~glsl::kLocalMean;
 }
 
 Nesting nesting_at(const StackPlanes& planes, glsl::uvec2 reference) {

@@ -11,9 +11,6 @@
 
 namespace texbake {
 
-/// Bit of scale_table: shown_texel of scales.glsl subtracts the local mean.
-inline constexpr int kLocalMean = 4;
-
 /// Everything that a stack binds: shaders/README.md, "Several scales".
 struct StackPlanes {
   std::vector<V2i> sizes;                ///< of the tiles, coarse to fine

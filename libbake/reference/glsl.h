@@ -11,6 +11,8 @@ namespace texbake::glsl {
 
 using uint = uint32_t;
 
+#include "shaders/constants.glsl"
+
 struct uvec2;
 
 struct ivec2 {
@@ -95,7 +97,7 @@ struct MaskTexel {
 /// A block of texels in level_blocks: two 32-bit channels.
 struct LevelBlock {
   uint32_t first = 0;  ///< entry in level_entries
-  uint32_t owned = 0;  ///< patch idx of that entry | owner << 16 | number of entries that follow << 20
+  uint32_t owned = 0;  ///< patch idx of that entry | owner << kBlockOwnerBit | number of those after it << kBlockFollowingBit
   bool operator==(const LevelBlock&) const = default;
 };
 

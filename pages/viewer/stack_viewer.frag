@@ -25,7 +25,7 @@ vec3 sample_color(Position at) {
     seen.coarser_halvings = 0;
     seen.fading = fading;
     seen.variation = variation;
-    return sight_value(window_sight(seen, slant), 1).rgb;
+    return sight_value(window_sight(seen, slant), kFilterBilinear).rgb;
   }
   Texel texel = texel_at(at);
   Decision decision = decide(texel);

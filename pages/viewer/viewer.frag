@@ -12,7 +12,7 @@ uniform usampler2D fragments;  // R32UI, W x H: fragment idx of each texel
 out vec4 screen;
 
 vec3 sample_color(Position at) {
-  if (show == 0) return trilinear_value(base, noise_step == 0 ? 0 : 4, base_levels, at, level_256).rgb;
+  if (show == 0) return trilinear_value(base, noise_step == 0 ? kPlanePlain : kPlaneStructure, base_levels, at, level_256).rgb;
   Texel texel = texel_at(at);
   Decision decision = decide(texel);
   Source source = source_of(texel, decision);

@@ -58,7 +58,7 @@ bend() {
 bend hash-multiplier shaders/hash.glsl 747796405u 747796407u
 bend hash-shift shaders/hash.glsl '>> 22u' '>> 21u'
 bend draw-shift shaders/content.glsl 'content_count) >> 16u' 'content_count) >> 17u'
-bend owner-mask shaders/content.glsl 'owned.y \& 3u' 'owned.y \& 1u'
+bend owner-mask shaders/content.glsl 'bits \& 3u' 'bits \& 1u'
 bend content-rounding shaders/content.glsl '+ 128) >> 8' '+ 127) >> 8'
 bend normal-eighth shaders/sample.glsl 0.70710678f 0.70710671f
 bend pixel-centre shaders/sample.glsl '(step_256 >> 1u)' '(step_256 >> 2u)'
