@@ -26,7 +26,7 @@ struct Drawer {
 
 struct StackDrawer {
   GlContext context;
-  GlStackRenderer renderer;
+  GlRenderer renderer;
   StackDrawer(const StackPlanes& planes, const std::optional<int>& device, const std::string& fragment_shader,
               const ReliefPlanes* relief)
       : context(context_options(GlLanguage::core, device)), renderer(context, planes, fragment_shader, relief) {}

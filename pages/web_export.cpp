@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <type_traits>
 
 #include "formats/base64.h"
 #include "formats/bundle.h"
@@ -37,18 +37,44 @@ Json plane_json(const char* format, ImageView<const T> texels) {
           {"data", base64(texels.data(), texels.size() * sizeof(T))}};
 }
 
-/// As halves, where `fits` says that every value may be one.
-template <class Fits>
-Json values_json(const Image<glsl::vec4>& texels, const Fits& fits) {
+bool is_half(float value) { return half_exact(value) == value; }
+bool may_be_half(float value) { return std::abs(value) <= kMaxHalf; }
+
+/// As halves, where the precision allows that of every value.
+Json values_json(const Image<glsl::vec4>& texels, Precision precision) {
   const auto* values = reinterpret_cast<const float*>(texels.data());
   const size_t count = 4 * texels.size();
-  if (!std::all_of(values, values + count, fits)) return plane_json<glsl::vec4>("RGBA32F", texels);
+  if (precision == Precision::exact ||
+      !std::all_of(values, values + count, precision == Precision::half ? may_be_half : is_half))
+    return plane_json<glsl::vec4>(kTexelFormat<glsl::vec4>.name, texels);
   struct HalfTexel {
     uint16_t channels[4];
   };
   Image<HalfTexel> halves(texels.width(), texels.height());
   for (size_t i = 0; i < count; ++i) halves.data()[i / 4].channels[i % 4] = Imath::half(values[i]).bits();
   return plane_json<HalfTexel>("RGBA16F", halves);
+}
+
+/// What for_each_texture calls to add each texture to `json`.
+auto texture_adder(Json& json) {
+  return [&json]<class T>(const Texture& texture, const Image<T>& image, auto) {
+    if constexpr (std::is_same_v<T, glsl::vec4>)
+      json[texture.name] = values_json(image, texture.precision);
+    else
+      json[texture.name] = plane_json<T>(kTexelFormat<T>.name, image);
+  };
+}
+
+Json json_of(float value) { return value; }
+Json json_of(int value) { return value; }
+Json json_of(const glsl::ivec2& v) { return {v.x, v.y}; }
+Json json_of(const glsl::vec4& v) { return {v.x, v.y, v.z, v.w}; }
+
+/// What fields() of a group of uniforms calls to add each to `json`, by its name after `prefix`.
+auto uniform_adder(Json& json, std::string_view prefix = "") {
+  return [&json, prefix](std::string_view name, const auto& value) {
+    json[std::string(name.substr(prefix.size()))] = json_of(value);
+  };
 }
 
 std::string shaders_script() {
@@ -81,18 +107,6 @@ void check_folder(const fs::path& folder) {
   }
 }
 
-bool is_half(float value) { return half_exact(value) == value; }
-bool may_be_half(float value) { return std::abs(value) <= kMaxHalf; }
-
-Json relief_json(const ReliefPlanes& relief) {
-  const auto four = [](const glsl::vec4& v) { return Json{v.x, v.y, v.z, v.w}; };
-  return {{"depth", relief.depth_px},
-          {"range", four(relief.range)},
-          {"light", four(relief.light)},
-          {"steps", {relief.steps.x, relief.steps.y}},
-          {"kind", relief.kind}};
-}
-
 void write_folder(const std::string& texture_script, const fs::path& folder) {
   check_folder(folder);
   std::error_code error;
@@ -114,34 +128,19 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   Json texture = {{"semantics", kSemantics},
                   {"size", {planes.size.x, planes.size.y}},
                   {"patch_count", planes.patch_count},
-                  {"content_count", planes.content_count},
-                  {"noise_step", planes.noise_step},
-                  {"noise_root", planes.noise_root},
-                  {"noise_log2", {planes.noise_log2.x, planes.noise_log2.y}},
-                  {"level_count", planes.level_count},
-                  {"first_level", planes.first_level}};
+                  {"content_count", planes.content_count}};
+  glsl::NoiseUniforms::fields(planes, uniform_adder(texture));
+  glsl::LevelUniforms::fields(planes, uniform_adder(texture));
   Json& json = texture["planes"];
-  json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
-  json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
-  json["centers"] = plane_json<glsl::ivec4>("RGBA32I", planes.centers);
-  json["base"] = values_json(planes.base.texels, is_half);
-  json["masks"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.masks);
-  json["noise_tiles"] = values_json(planes.noise_tiles, is_half);
-  json["level_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.level_table);
-  json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
-  json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
-  json["level_weights"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.level_weights);
-  json["base_levels"] = values_json(planes.base.level_values, may_be_half);
-  if (!planes.fragment_idx.empty()) json["fragments"] = plane_json<uint32_t>("R32UI", planes.fragment_idx);
+  for_each_texture(planes, planes.base, texture_adder(json));
+  if (!planes.fragment_idx.empty())
+    json["fragments"] = plane_json<uint32_t>(kTexelFormat<uint32_t>.name, planes.fragment_idx);
   return "texbake.open(" + texture.dump() + ");\n";
 }
 
 std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* relief) {
-  Json texture = {{"semantics", kSemantics},
-                  {"scales", Json::array()},
-                  {"noise_step", planes.noise_step},
-                  {"noise_root", planes.noise_root},
-                  {"noise_log2", {planes.noise_log2.x, planes.noise_log2.y}}};
+  Json texture = {{"semantics", kSemantics}, {"scales", Json::array()}};
+  glsl::NoiseUniforms::fields(planes, uniform_adder(texture));
   for (int s = 0; s < planes.scale_count(); ++s) {
     const V2i size = planes.sizes[static_cast<size_t>(s)];
     const ScaleTransfer& transfer = planes.transfers[static_cast<size_t>(s)];
@@ -151,24 +150,10 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
                                  {"level_count", planes.level_count(s)}});
   }
   Json& json = texture["planes"];
-  json["patch_plane"] = plane_json<glsl::PatchTexel>("RG16UI", planes.patch_plane);
-  json["contents"] = plane_json<glsl::ivec4>("RGBA32I", planes.contents);
-  json["base"] = values_json(planes.base, is_half);
-  json["masks"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.masks);
-  json["noise_tiles"] = values_json(planes.noise_tiles, is_half);
-  json["fragment_plane"] = plane_json<glsl::FragmentTexel>("RGBA16I", planes.fragment_plane);
-  json["local_mean"] = plane_json<glsl::vec4>("RGBA32F", planes.local_mean);
-  json["scale_table"] = plane_json<glsl::ivec4>("RGBA32I", planes.scale_table);
-  json["color_table"] = plane_json<glsl::vec4>("RGBA32F", planes.color_table);
-  json["level_blocks"] = plane_json<glsl::LevelBlock>("RG32UI", planes.level_blocks);
-  json["level_entries"] = plane_json<glsl::PatchTexel>("RG16UI", planes.level_entries);
-  json["base_levels"] = values_json(planes.base_levels, may_be_half);
-  json["level_weights"] = plane_json<glsl::MaskTexel>("RGBA16UI", planes.level_weights);
-  json["fragment_shares"] = plane_json<glsl::ivec4>("RGBA32I", planes.fragment_shares);
-  const Image<glsl::vec4> none(1, 1, {0, 0, 0, 0});
-  json["height_plane"] = plane_json<glsl::vec4>("RGBA32F", relief ? relief->height_plane : none);
-  json["height_levels"] = values_json(relief ? relief->height_levels : none, may_be_half);
-  if (relief) texture["relief"] = relief_json(*relief);
+  for_each_texture(planes, texture_adder(json));
+  const ReliefPlanes flat;
+  for_each_texture(relief ? *relief : flat, texture_adder(json));
+  if (relief) glsl::ReliefUniforms::fields(*relief, uniform_adder(texture["relief"], "relief_"));
   return "texbake.open(" + texture.dump() + ");\n";
 }
 

@@ -11,9 +11,8 @@ namespace texbake {
 
 /// The files of the folder; index.html is what a person opens. Browsers let a page opened from a disk read scripts and
 /// nothing else, so the planes travel as base64 in texture.js beside their sizes and formats:
-///   texbake.open({"semantics": 1, "size": [W, H], "patch_count": P, "content_count": N_t, "noise_step": s,
-///   "noise_root": 0 or 1,
-///                 "noise_log2": [t, r], "level_count": L, "first_level": 1,
+///   texbake.open({"semantics": 1, "size": [W, H], "patch_count": P, "content_count": N_t,
+///                 …, every uniform of glsl::NoiseUniforms and glsl::LevelUniforms by its name,
 ///                 "planes": {"patch_plane": {"format": "RG16UI", "width": W, "height": H, "data": "…"}, …}})
 /// with the planes and formats of shaders/README.md §2, little-endian, rows from the top; `fragments` (R32UI, the idx
 /// of each texel) where there are any; `base` is RGBA16F where that is exact, else RGBA32F; `base_levels` is rounded

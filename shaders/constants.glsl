@@ -27,7 +27,7 @@ const uint kBlockOwnerBit = 16u;
 const uint kBlockFollowingBit = 20u;
 
 // The bits of scale_table.
-const int kTransferMode = 3;  // where the coarser colour is read: one of the next three
+const int kTransferMode = 3;  // where the coarser color is read: one of the next three
 const int kTransferFragment = 0;
 const int kTransferTexel = 1;
 const int kTransferBilinear = 2;

@@ -36,7 +36,9 @@ Image<V3f> render_scale_rows(const StackPlanes& planes, const Window& window, co
 glsl::StackProbes stack_probes(const ScaleView& view, const glsl::Position& at);
 
 /// What the text calls smooth_filter.
-inline int smooth_filter(Filter filter) { return filter == Filter::nearest ? glsl::kFilterNearest : glsl::kFilterBilinear; }
+inline int smooth_filter(Filter filter) {
+  return filter == Filter::nearest ? glsl::kFilterNearest : glsl::kFilterBilinear;
+}
 
 /// A window that counts in texels of the finest scale, in texels of a coarser one; its step is at least 1/256 there.
 Window window_in_scale(const StackPlanes& planes, const Window& window, int scale);

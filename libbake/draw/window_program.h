@@ -20,6 +20,7 @@ inline glsl::Program program_of(const EvaluatorPlanes& planes, const Window& win
   const DeformationAnchor to =
       anchor_of(deformation, planes.size, {corner.tile.x, corner.tile.y}, {corner.p.x, corner.p.y});
   const int32_t(&matrix)[4] = deformation.matrix;
+  program.deformed = deformation.is_identity() ? 0 : 1;
   program.deform_matrix = {matrix[0], matrix[1], matrix[2], matrix[3]};
   program.deform_from_tile = corner.tile;
   program.deform_from = corner.p;

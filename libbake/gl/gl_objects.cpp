@@ -75,8 +75,8 @@ GlTarget::GlTarget(const GlFunctions& gl, int width, int height)
     : gl_(gl),
       width_(width),
       height_(height),
-      values_(gl, kRgba32f, width, height, nullptr),
-      decisions_(gl, kRgba32ui, width, height, nullptr) {
+      values_(gl, kGlFormat<glsl::vec4>, width, height, nullptr),
+      decisions_(gl, kGlFormat<glsl::uvec4>, width, height, nullptr) {
   gl.GenFramebuffers(1, &framebuffer_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, values_.name(), 0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libbake/gl/gl_functions.h"
+#include "libbake/reference/glsl.h"
 
 namespace texbake {
 
@@ -33,13 +34,23 @@ struct GlFormat {
   GLenum format;
   GLenum type;
 };
-inline constexpr GlFormat kRg16ui{GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT};
-inline constexpr GlFormat kRgba16ui{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT};
-inline constexpr GlFormat kRg32ui{GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT};
-inline constexpr GlFormat kRgba16i{GL_RGBA16I, GL_RGBA_INTEGER, GL_SHORT};
-inline constexpr GlFormat kRgba32i{GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
-inline constexpr GlFormat kRgba32ui{GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-inline constexpr GlFormat kRgba32f{GL_RGBA32F, GL_RGBA, GL_FLOAT};
+/// Of the texels of a texture, by their type.
+template <class Texel>
+inline constexpr GlFormat kGlFormat{};
+template <>
+inline constexpr GlFormat kGlFormat<glsl::PatchTexel>{GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT};
+template <>
+inline constexpr GlFormat kGlFormat<glsl::MaskTexel>{GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT};
+template <>
+inline constexpr GlFormat kGlFormat<glsl::LevelBlock>{GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT};
+template <>
+inline constexpr GlFormat kGlFormat<glsl::FragmentTexel>{GL_RGBA16I, GL_RGBA_INTEGER, GL_SHORT};
+template <>
+inline constexpr GlFormat kGlFormat<glsl::ivec4>{GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
+template <>
+inline constexpr GlFormat kGlFormat<glsl::uvec4>{GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+template <>
+inline constexpr GlFormat kGlFormat<glsl::vec4>{GL_RGBA32F, GL_RGBA, GL_FLOAT};
 
 /// A texture of one level, not filtered: texels are fetched by number.
 class GlTexture {
@@ -71,8 +82,8 @@ class GlTarget {
   int height() const { return height_; }
   void bind() const;
   /// Four 32-bit values to a pixel, lowest line first.
-  void read_values(void* pixels) const { read(GL_COLOR_ATTACHMENT0, kRgba32f, pixels); }
-  void read_decisions(void* pixels) const { read(GL_COLOR_ATTACHMENT1, kRgba32ui, pixels); }
+  void read_values(void* pixels) const { read(GL_COLOR_ATTACHMENT0, kGlFormat<glsl::vec4>, pixels); }
+  void read_decisions(void* pixels) const { read(GL_COLOR_ATTACHMENT1, kGlFormat<glsl::uvec4>, pixels); }
 
  private:
   void read(GLenum attachment, const GlFormat& format, void* pixels) const;

@@ -1,153 +1,106 @@
 #include "libbake/gl/gl_renderer.h"
 
+#include <cassert>
 #include <map>
 #include <optional>
 
 #include "libbake/draw/view_program.h"
 #include "libbake/draw/window_program.h"
 #include "libbake/gl/gl_objects.h"
-#include "libbake/gl/gl_view.h"
+#include "libbake/gl/gl_uniforms.h"
 
 namespace texbake {
 namespace {
 
-/// Texture units, in the order of shaders/bindings.glsl.
-enum Unit {
-  kPatchPlane,
-  kContents,
-  kCenters,
-  kBase,
-  kMasks,
-  kNoiseTiles,
-  kLevelTable,
-  kLevelBlocks,
-  kLevelEntries,
-  kLevelWeights,
-  kBaseLevels
-};
+static_assert(sizeof(glsl::FragmentTexel) == 8 && sizeof(glsl::vec4) == 16,
+              "texels are uploaded as they lie in memory");
 
-/// One texel of zeros stands for what a bundle lacks.
-template <class T>
-GlTexture upload(const GlFunctions& gl, const GlFormat& format, const Image<T>& image) {
-  constexpr uint32_t kZeros[4] = {};
-  if (image.empty()) return GlTexture(gl, format, 1, 1, kZeros);
-  return GlTexture(gl, format, image.width(), image.height(), image.data());
+/// The target's lowest line, read first, is the top row: row `first_row` of the view.
+glsl::MainUniforms main_uniforms(const TileOffset& x, const TileOffset& y, int first_row) {
+  glsl::MainUniforms main;
+  main.origin_tile = {x.tile, y.tile};
+  main.origin_offset = {static_cast<int>(x.offset_256), static_cast<int>(y.offset_256)};
+  main.first_row = {first_row, 1};
+  return main;
+}
+
+glsl::MainUniforms main_uniforms(const Window& window) {
+  glsl::MainUniforms main = main_uniforms(window.origin_x, window.origin_y, 0);
+  main.step_256 = window.step_256;
+  main.filter_kind = smooth_filter(window.filter);
+  return main;
+}
+
+glsl::MainUniforms main_uniforms(const Perspective& view, const V3f& sky, int first_row) {
+  glsl::MainUniforms main = main_uniforms(view.origin_x, view.origin_y, first_row);
+  main.sky = {sky.x, sky.y, sky.z, 0};
+  return main;
 }
 
 }  // namespace
 
 struct GlRenderer::State {
   const GlFunctions& gl;
-  const EvaluatorPlanes& planes;
+  const EvaluatorPlanes* tile = nullptr;  ///< this, or the stack
+  const StackPlanes* stack = nullptr;
+  const ReliefPlanes flat{};
+  const ReliefPlanes* relief = nullptr;
   GlProgram program;
-  GlTexture patch_plane, contents, centers, masks, noise_tiles, level_table, level_blocks, level_entries, level_weights;
-  std::map<const Plane*, std::pair<GlTexture, GlTexture>> values;  ///< texels and levels, uploaded when first drawn
+  std::map<const void*, GlTexture> textures;  ///< by their images
   std::optional<GlTarget> target;
   GLuint vertex_array = 0;
 
-  State(const GlContext& context, const EvaluatorPlanes& prepared, const std::string& fragment_shader)
-      : gl(context.functions()),
-        planes(prepared),
-        program(gl, reference_vertex_shader(context.language()), fragment_shader),
-        patch_plane(upload(gl, kRg16ui, planes.patch_plane)),
-        contents(upload(gl, kRgba32i, planes.contents)),
-        centers(upload(gl, kRgba32i, planes.centers)),
-        masks(upload(gl, kRgba16ui, planes.masks)),
-        noise_tiles(upload(gl, kRgba32f, planes.noise_tiles)),
-        level_table(upload(gl, kRgba32i, planes.level_table)),
-        level_blocks(upload(gl, kRg32ui, planes.level_blocks)),
-        level_entries(upload(gl, kRg16ui, planes.level_entries)),
-        level_weights(upload(gl, kRgba16ui, planes.level_weights)) {
+  State(const GlContext& context, const std::string& fragment_shader)
+      : gl(context.functions()), program(gl, reference_vertex_shader(context.language()), fragment_shader) {
     gl.GenVertexArrays(1, &vertex_array);
   }
   ~State() { gl.DeleteVertexArrays(1, &vertex_array); }
 
-  const std::pair<GlTexture, GlTexture>& textures_of(const Plane& plane) {
-    const auto found = values.find(&plane);
-    if (found != values.end()) return found->second;
-    return values.try_emplace(&plane, upload(gl, kRgba32f, plane.texels), upload(gl, kRgba32f, plane.level_values))
-        .first->second;
+  /// Calls visit for every texture that is drawn: of the tile those of `plane`.
+  template <class Visitor>
+  void for_each_drawn_texture(const Plane* plane, const Visitor& visit) const {
+    if (tile) return for_each_texture(*tile, *plane, visit);
+    for_each_texture(*stack, visit);
+    for_each_texture(relief ? *relief : flat, visit);
   }
 
-  void bind_textures(const Plane& plane) {
-    const auto& [texels, levels] = textures_of(plane);  // first: an upload binds
-    patch_plane.bind(kPatchPlane);
-    contents.bind(kContents);
-    centers.bind(kCenters);
-    texels.bind(kBase);
-    masks.bind(kMasks);
-    noise_tiles.bind(kNoiseTiles);
-    levels.bind(kBaseLevels);
-    level_table.bind(kLevelTable);
-    level_blocks.bind(kLevelBlocks);
-    level_entries.bind(kLevelEntries);
-    level_weights.bind(kLevelWeights);
-    gl.Uniform1i(program.uniform("patch_plane"), kPatchPlane);
-    gl.Uniform1i(program.uniform("contents"), kContents);
-    gl.Uniform1i(program.uniform("centers"), kCenters);
-    gl.Uniform1i(program.uniform("base"), kBase);
-    gl.Uniform1i(program.uniform("masks"), kMasks);
-    gl.Uniform1i(program.uniform("noise_tiles"), kNoiseTiles);
-    gl.Uniform1i(program.uniform("base_levels"), kBaseLevels);
-    gl.Uniform1i(program.uniform("level_table"), kLevelTable);
-    gl.Uniform1i(program.uniform("level_blocks"), kLevelBlocks);
-    gl.Uniform1i(program.uniform("level_entries"), kLevelEntries);
-    gl.Uniform1i(program.uniform("level_weights"), kLevelWeights);
+  /// One texel of zeros stands for what is empty.
+  template <class T>
+  void upload(const Image<T>& image) {
+    constexpr uint32_t kZeros[4] = {};
+    if (textures.contains(&image)) return;
+    const bool empty = image.empty();
+    textures.try_emplace(&image, gl, kGlFormat<T>, empty ? 1 : image.width(), empty ? 1 : image.height(),
+                         empty ? static_cast<const void*>(kZeros) : image.data());
   }
-
-  void set_deformation(const Window& window, bool is_base) {
-    const glsl::Program bound = program_of(planes, window);
-    const auto set4 = [&](const char* name, const glsl::ivec4& v) {
-      gl.Uniform4i(program.uniform(name), v.x, v.y, v.z, v.w);
-    };
-    gl.Uniform1i(program.uniform("deformed"), is_base && !window.deformation.is_identity() ? 1 : 0);
-    set4("deform_matrix", bound.deform_matrix);
-    gl.Uniform2ui(program.uniform("deform_from_tile"), bound.deform_from_tile.x, bound.deform_from_tile.y);
-    gl.Uniform2i(program.uniform("deform_from"), bound.deform_from.x, bound.deform_from.y);
-    gl.Uniform2ui(program.uniform("deform_to_tile"), bound.deform_to_tile.x, bound.deform_to_tile.y);
-    set4("deform_to", bound.deform_to);
-    gl.Uniform2i(program.uniform("turbulence"), bound.turbulence.x, bound.turbulence.y);
-  }
-
-  /// The target's lowest line, read first, is the top row: row `first_row` of the view.
-  void set_tile(MapKind kind, uint32_t seed, int first_row) {
-    gl.Uniform2i(program.uniform("tile_size"), planes.size.x, planes.size.y);
-    gl.Uniform2i(program.uniform("noise_log2"), planes.noise_log2.x, planes.noise_log2.y);
-    gl.Uniform1i(program.uniform("noise_step"), planes.noise_step);
-    gl.Uniform1i(program.uniform("noise_root"), planes.noise_root);
-    gl.Uniform1ui(program.uniform("content_count"), static_cast<GLuint>(planes.content_count));
-    gl.Uniform1ui(program.uniform("seed"), seed);
-    gl.Uniform1i(program.uniform("level_count"), planes.level_count);
-    gl.Uniform1i(program.uniform("first_level"), planes.first_level);
-    gl.Uniform2i(program.uniform("first_row"), first_row, 1);
-    gl.Uniform1i(program.uniform("plane_kind"), plane_kind(kind));
-  }
-
-  void set_origin(const TileOffset& x, const TileOffset& y) {
-    gl.Uniform2ui(program.uniform("origin_tile"), x.tile, y.tile);
-    gl.Uniform2i(program.uniform("origin_offset"), static_cast<GLint>(x.offset_256), static_cast<GLint>(y.offset_256));
-  }
-
-  void set_view(const Window& window) {
-    gl.Uniform1ui(program.uniform("step_256"), window.step_256);
-    gl.Uniform1i(program.uniform("filter_kind"), window.filter == Filter::nearest ? 0 : 1);
-    gl.Uniform1i(program.uniform("level_256"), level_256_of(window, planes.level_count));
-  }
-
-  void set_view(const Perspective& view, const V3f& sky) { set_perspective(gl, program, view, sky); }
 
   /// Makes the target, the program and the textures current.
-  void begin(int width, int height, const Plane& plane) {
+  void begin(int width, int height, const Plane* plane) {
     if (!target || target->width() != width || target->height() != height) target.emplace(gl, width, height);
     target->bind();
     gl.UseProgram(program.name());
-    bind_textures(plane);
+    // First all uploads: an upload binds.
+    for_each_drawn_texture(plane, [&](const Texture&, const auto& image, auto) { upload(image); });
+    int unit = 0;
+    for_each_drawn_texture(plane, [&](const Texture& texture, const auto& image, auto) {
+      textures.at(&image).bind(unit);
+      gl.Uniform1i(program.uniform(texture.name), unit++);
+    });
   }
 
-  void draw() {
+  template <class BoundProgram>
+  void draw(const BoundProgram& bound, const glsl::MainUniforms& main) {
+    set_uniforms(gl, program, bound);
+    set_uniforms(gl, program, main);
     gl.BindVertexArray(vertex_array);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.Finish();
+  }
+
+  glsl::Program stack_program(uint32_t seed, const glsl::uvec2& reference) const {
+    glsl::Program bound = program_of(*stack, seed, reference);
+    if (relief) bind_relief(bound, *relief);
+    return bound;
   }
 };
 
@@ -155,30 +108,66 @@ GlRenderer::GlRenderer(const GlContext& context, const EvaluatorPlanes& planes)
     : GlRenderer(context, planes, reference_fragment_shader(context.language())) {}
 
 GlRenderer::GlRenderer(const GlContext& context, const EvaluatorPlanes& planes, const std::string& fragment_shader)
-    : state_(std::make_unique<State>(context, planes, fragment_shader)) {}
+    : state_(std::make_unique<State>(context, fragment_shader)) {
+  state_->tile = &planes;
+}
+
+GlRenderer::GlRenderer(const GlContext& context, const StackPlanes& planes, const ReliefPlanes* relief)
+    : GlRenderer(context, planes, stack_fragment_shader(context.language()), relief) {}
+
+GlRenderer::GlRenderer(const GlContext& context, const StackPlanes& planes, const std::string& fragment_shader,
+                       const ReliefPlanes* relief)
+    : state_(std::make_unique<State>(context, fragment_shader)) {
+  state_->stack = &planes;
+  state_->relief = relief;
+}
 
 GlRenderer::~GlRenderer() = default;
 
 void GlRenderer::draw_only(const Window& window, const Plane& plane) {
   State& s = *state_;
-  check_window(window, s.planes.size);
-  s.begin(window.width, window.height, plane);
-  s.set_tile(plane.kind, window.seed, 0);
-  s.set_origin(window.origin_x, window.origin_y);
-  s.set_deformation(window, &plane == &s.planes.base);
-  s.set_view(window);
-  s.draw();
+  assert(s.tile);
+  check_window(window, s.tile->size);
+  s.begin(window.width, window.height, &plane);
+  glsl::Program bound = program_of(*s.tile, window);
+  if (&plane != &s.tile->base) bound.deformed = 0;
+  glsl::MainUniforms main = main_uniforms(window);
+  main.level_256 = level_256_of(window, s.tile->level_count);
+  main.plane_kind = plane_kind(plane.kind);
+  s.draw(bound, main);
 }
 
 void GlRenderer::draw_only(const Perspective& view, const Plane& plane, int row_begin, int row_end) {
   State& s = *state_;
-  check_perspective(view, s.planes.size);
-  s.begin(view.width, row_end - row_begin, plane);
-  s.set_tile(plane.kind, view.seed, row_begin);
-  s.gl.Uniform1i(s.program.uniform("deformed"), 0);
-  s.set_origin(view.origin_x, view.origin_y);
-  s.set_view(view, &plane == &s.planes.base ? view.sky : V3f(0));
-  s.draw();
+  assert(s.tile);
+  check_perspective(view, s.tile->size);
+  s.begin(view.width, row_end - row_begin, &plane);
+  glsl::MainUniforms main = main_uniforms(view, &plane == &s.tile->base ? view.sky : V3f(0), row_begin);
+  main.plane_kind = plane_kind(plane.kind);
+  s.draw(perspective_program_of(*s.tile, view), main);
+}
+
+void GlRenderer::draw_only(const Window& window, const ScaleView& view, const Direction& viewer) {
+  State& s = *state_;
+  assert(s.stack);
+  check_window(window, s.stack->sizes[static_cast<size_t>(view.scale)]);
+  s.begin(window.width, window.height, nullptr);
+  glsl::MainUniforms main = main_uniforms(window);
+  main.view_scale = view.scale;
+  main.level_256 = view.level_256;
+  main.fading = view.fading;
+  main.variation = view.variation;
+  main.slant = slant_of(*s.stack, viewer, window, view.scale);
+  s.draw(s.stack_program(window.seed, reference_near(*s.stack, window, view.scale)), main);
+}
+
+void GlRenderer::draw_only(const Perspective& view, int row_begin, int row_end) {
+  State& s = *state_;
+  assert(s.stack);
+  check_perspective(view, s.stack->sizes.back());
+  s.begin(view.width, row_end - row_begin, nullptr);
+  const glsl::Program bound = s.stack_program(view.seed, {view.origin_x.tile, view.origin_y.tile});
+  s.draw(with_view(bound, view), main_uniforms(view, view.sky, row_begin));
 }
 
 Frame GlRenderer::read() const {
@@ -199,6 +188,16 @@ Frame GlRenderer::draw(const Perspective& view, const Plane& plane) { return dra
 
 Frame GlRenderer::draw(const Perspective& view, const Plane& plane, int row_begin, int row_end) {
   draw_only(view, plane, row_begin, row_end);
+  return read();
+}
+
+Frame GlRenderer::draw(const Window& window, const ScaleView& view, const Direction& viewer) {
+  draw_only(window, view, viewer);
+  return read();
+}
+
+Frame GlRenderer::draw(const Perspective& view, int row_begin, int row_end) {
+  draw_only(view, row_begin, row_end);
   return read();
 }
 

@@ -39,7 +39,7 @@ Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Pl
                  [&](const Window& part) { return renderer.draw(part, plane); });
 }
 
-Image<V3f> gl_rows(GlStackRenderer& renderer, const StackPlanes& planes, const Direction& viewer, const Window& window,
+Image<V3f> gl_rows(GlRenderer& renderer, const StackPlanes& planes, const Direction& viewer, const Window& window,
                    int row_begin, int row_end) {
   const ScaleView view = scale_view(planes, window);
   return rows_of(window_in_scale(planes, window, view.scale), planes.sizes[static_cast<size_t>(view.scale)], row_begin,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "libbake/gl/gl_renderer.h"
-#include "libbake/gl/gl_stack_renderer.h"
 
 namespace texbake {
 
@@ -13,7 +12,7 @@ Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Pl
 
 /// The same of a stack, as render_stack_rows gives them or, with a renderer that has relief, render_relief_rows: the
 /// levels of `planes` were added where those need them.
-Image<V3f> gl_rows(GlStackRenderer& renderer, const StackPlanes& planes, const Direction& viewer, const Window& window,
+Image<V3f> gl_rows(GlRenderer& renderer, const StackPlanes& planes, const Direction& viewer, const Window& window,
                    int row_begin, int row_end);
 
 }  // namespace texbake

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "libbake/draw/stack_perspective.h"
 #include "libbake/gl/stack_parity.h"
 
 namespace texbake {
@@ -58,7 +59,7 @@ PerspectiveParity check_perspective_parity(const EvaluatorPlanes& planes, const 
 
 PerspectiveParity check_stack_perspective_parity(const StackPlanes& planes, const ReliefPlanes* relief,
                                                  const GlContext& context) {
-  GlStackRenderer renderer(context, planes, stack_perspective_fragment_shader(context.language()), relief);
+  GlRenderer renderer(context, planes, stack_perspective_fragment_shader(context.language()), relief);
   PerspectiveParity parity;
   const std::vector<Perspective> views = telling_views();
   for (size_t i = 0; i < views.size(); ++i) {
@@ -72,7 +73,7 @@ PerspectiveParity check_stack_perspective_parity(const StackPlanes& planes, cons
 
 PerspectiveParity check_relief_parity(const StackPlanes& planes, const ReliefPlanes& relief, const GlContext& context) {
   constexpr Direction kViewers[] = {{1, -0.5f, 0.75f}, {-3, 2, 1}, {0, 0, 1}};
-  GlStackRenderer renderer(context, planes, &relief);
+  GlRenderer renderer(context, planes, &relief);
   PerspectiveParity parity;
   const std::vector<ScaleView> views = parity_views(planes);
   for (size_t i = 0; i < views.size(); ++i) {

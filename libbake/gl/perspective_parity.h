@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "libbake/gl/gl_renderer.h"
-#include "libbake/gl/gl_stack_renderer.h"
 
 namespace texbake {
 

@@ -21,7 +21,7 @@ std::vector<ScaleView> parity_views(const StackPlanes& planes) {
 }
 
 ParityReport check_stack_parity(const StackPlanes& planes, const GlContext& context, const ParityOptions& options) {
-  GlStackRenderer renderer(context, planes);
+  GlRenderer renderer(context, planes);
   ParityReport report;
   report.driver = context.description();
   std::vector<std::vector<bool>> seen;

@@ -1,7 +1,6 @@
 // Compares the processor with the reference shader on OpenGL for a stack of scales.
 #pragma once
 
-#include "libbake/gl/gl_stack_renderer.h"
 #include "libbake/gl/parity.h"
 
 namespace texbake {

@@ -7,7 +7,8 @@
 
 #include "libbake/base/image.h"
 #include "libbake/planes/noise_mean.h"
-#include "libbake/reference/glsl.h"
+#include "libbake/planes/texture.h"
+#include "libbake/reference/bindings.h"
 
 namespace texbake {
 
@@ -31,9 +32,9 @@ struct Plane {
   Image<glsl::vec4> level_values = {};  ///< see libbake/planes/levels.h; empty until add_levels
 };
 
-/// Everything that the evaluator binds. Arrays are ready for upload: patch_plane RG16UI, contents RGBA32I of width
-/// N_t and height P, centers RGBA32I of width P, base and maps RGBA32F (or RGBA16F, where the source is half).
-struct EvaluatorPlanes {
+/// Everything that the evaluator binds. Arrays are ready for upload: contents are of width N_t and height P, centers of
+/// width P. level_count is 0 until add_levels.
+struct EvaluatorPlanes : glsl::NoiseUniforms, glsl::LevelUniforms {
   V2i size{0, 0};
   int patch_count = 1;
   int content_count = 1;  ///< N_t
@@ -42,16 +43,11 @@ struct EvaluatorPlanes {
   Image<glsl::ivec4> centers;   ///< (c.x, c.y, 0, 0)
   Plane base;                   ///< of kind `structure` with noise
   std::vector<Plane> maps;
-  V2i noise_log2{0, 0};           ///< log2 of the width and height of the noises
-  int noise_step = 0;             ///< row_step; 0 without noise
-  int noise_root = 0;             ///< 1 where noise is added to the square root of light
   NoiseMean noise_mean;           ///< of the noises
   Image<glsl::MaskTexel> masks;   ///< RGBA16UI, in 1/2048; one texel without noise
   Image<glsl::vec4> noise_tiles;  ///< one below the other, their levels of detail (noise_levels.h) to the right,
                                   ///< RGBA32F (or RGBA16F); one texel without noise
 
-  int level_count = 0;     ///< levels of detail beside level 0; 0 until add_levels
-  int first_level = 1;     ///< 0 where borders of patches are soft
   int soft_border_px = 0;  ///< as in EvaluatorInput
   Image<glsl::ivec4> level_table;
   Image<glsl::LevelBlock> level_blocks;
@@ -65,6 +61,23 @@ struct EvaluatorPlanes {
 
   const Plane* map(const std::string& name) const;
 };
+
+/// The textures, with those of `drawn`: the base or a map of `planes`.
+template <class Visitor>
+void for_each_texture(const EvaluatorPlanes& planes, const Plane& drawn, Visitor&& visit) {
+  using S = glsl::Samplers;
+  visit(Texture{"patch_plane"}, planes.patch_plane, &S::patch_plane);
+  visit(Texture{"contents"}, planes.contents, &S::contents);
+  visit(Texture{"centers"}, planes.centers, &S::centers);
+  visit(Texture{"base", Precision::exact_half}, drawn.texels, &S::base);
+  visit(Texture{"masks"}, planes.masks, &S::masks);
+  visit(Texture{"noise_tiles", Precision::exact_half}, planes.noise_tiles, &S::noise_tiles);
+  visit(Texture{"level_table"}, planes.level_table, &S::level_table);
+  visit(Texture{"level_blocks"}, planes.level_blocks, &S::level_blocks);
+  visit(Texture{"level_entries"}, planes.level_entries, &S::level_entries);
+  visit(Texture{"level_weights"}, planes.level_weights, &S::level_weights);
+  visit(Texture{"base_levels", Precision::half}, drawn.level_values, &S::base_levels);
+}
 
 /// The largest tile side for which every product of the evaluator fits 32 bits.
 inline constexpr int kMaxTileSide = 16384;

@@ -99,7 +99,7 @@ void store_list(const LevelList& list, EvaluatorPlanes& planes) {
 
 /// The level of the noises whose blocks have about as many texels: 4^level, at most twice as many or few; −1 where they
 /// have none so large.
-int noise_level_of(V2i block_side, V2i noise_log2) {
+int noise_level_of(V2i block_side, const glsl::ivec2& noise_log2) {
   const int64_t texels = int64_t{block_side.x} * block_side.y;
   for (int level = 0; level <= noise_log2.y; ++level)
     if (texels < int64_t{2} << (2 * level)) return level;

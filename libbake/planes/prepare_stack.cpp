@@ -108,9 +108,7 @@ class StackBuilder {
     stack_.fragment_plane = stacked(pointers_to(fragments_), glsl::FragmentTexel{});
     stack_.local_mean = stacked_local_means();
     EvaluatorPlanes& finest = planes_.back();
-    stack_.noise_log2 = finest.noise_log2;
-    stack_.noise_step = finest.noise_step;
-    stack_.noise_root = finest.noise_root;
+    static_cast<glsl::NoiseUniforms&>(stack_) = finest;
     stack_.masks = std::move(finest.masks);
     stack_.noise_tiles = std::move(finest.noise_tiles);
     stack_.scale_table = table_of(scales_, glsl::ivec4{0, 0, 0, 0});

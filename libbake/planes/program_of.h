@@ -11,24 +11,23 @@ glsl::Sampler<T> sampler_of(const Image<T>& image) {
   return {image.data(), image.width()};
 }
 
-/// Borrows `planes`.
+/// What for_each_texture calls to give `program` its samplers; these borrow the images.
+inline auto sampler_binder(glsl::Program& program) {
+  return [&program](const Texture&, const auto& image, auto sampler) { program.*sampler = sampler_of(image); };
+}
+
+/// Gives `program` a group of uniforms that planes have decided.
+template <class Uniforms>
+void bind_uniforms(const Uniforms& planes, glsl::Program& program) {
+  static_cast<Uniforms&>(program) = planes;
+}
+
+/// Borrows `planes`; draws the base.
 inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
   glsl::Program program;
-  program.patch_plane = sampler_of(planes.patch_plane);
-  program.contents = sampler_of(planes.contents);
-  program.centers = sampler_of(planes.centers);
-  program.base = sampler_of(planes.base.texels);
-  program.masks = sampler_of(planes.masks);
-  program.noise_tiles = sampler_of(planes.noise_tiles);
-  program.noise_log2 = {planes.noise_log2.x, planes.noise_log2.y};
-  program.noise_step = planes.noise_step;
-  program.noise_root = planes.noise_root;
-  program.level_table = sampler_of(planes.level_table);
-  program.level_blocks = sampler_of(planes.level_blocks);
-  program.level_entries = sampler_of(planes.level_entries);
-  program.level_weights = sampler_of(planes.level_weights);
-  program.level_count = planes.level_count;
-  program.first_level = planes.first_level;
+  for_each_texture(planes, planes.base, sampler_binder(program));
+  bind_uniforms<glsl::NoiseUniforms>(planes, program);
+  bind_uniforms<glsl::LevelUniforms>(planes, program);
   program.tile_size = {planes.size.x, planes.size.y};
   program.content_count = static_cast<uint32_t>(planes.content_count);
   program.seed = seed;

@@ -87,11 +87,11 @@ ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& 
   const bool is_directx = normals && normals->kind == MapKind::normal_directx;
   const MapKind kind = is_directx ? MapKind::relief_directx : MapKind::relief_opengl;
   ReliefPlanes bound;
-  bound.range = range_of(planes, heights);
-  bound.light = {light.x / light.z, light.y / light.z, options.ambient, 0};
-  bound.steps = {options.linear_steps, options.binary_steps};
-  bound.depth_px = options.depth_px;
-  bound.kind = options.shade_by == ShadeBy::none ? glsl::kUnlit : plane_kind(kind);
+  bound.relief_range = range_of(planes, heights);
+  bound.relief_light = {light.x / light.z, light.y / light.z, options.ambient, 0};
+  bound.relief_steps = {options.linear_steps, options.binary_steps};
+  bound.relief_depth = options.depth_px;
+  bound.relief_kind = options.shade_by == ShadeBy::none ? glsl::kUnlit : plane_kind(kind);
 
   Plane relief{"relief", kind, 4, heights_and_normals(heights.texels, normals, options.depth_px)};
   planes.maps.clear();
@@ -103,13 +103,8 @@ ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& 
 }
 
 void bind_relief(glsl::Program& program, const ReliefPlanes& relief) {
-  program.height_plane = sampler_of(relief.height_plane);
-  program.height_levels = sampler_of(relief.height_levels);
-  program.relief_range = relief.range;
-  program.relief_steps = relief.steps;
-  program.relief_depth = relief.depth_px;
-  program.relief_light = relief.light;
-  program.relief_kind = relief.kind;
+  for_each_texture(relief, sampler_binder(program));
+  bind_uniforms<glsl::ReliefUniforms>(relief, program);
 }
 
 }  // namespace texbake

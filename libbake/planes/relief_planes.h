@@ -8,14 +8,18 @@
 
 namespace texbake {
 
-struct ReliefPlanes {
-  Image<glsl::vec4> height_plane;   ///< height; x, y, z of the normal
-  Image<glsl::vec4> height_levels;  ///< the same of levels of detail
-  glsl::vec4 range{0, 0, 0, 0}, light{0, 0, 1, 0};
-  glsl::ivec2 steps{1, 0};
-  float depth_px = 0;  ///< texels of the coarsest scale between height 0 and 1
-  int kind = 0;        ///< glsl::kPlaneReliefOpengl, kPlaneReliefDirectx or kUnlit
+/// One texel of zeros each where there is no relief.
+struct ReliefPlanes : glsl::ReliefUniforms {
+  Image<glsl::vec4> height_plane{1, 1, {0, 0, 0, 0}};   ///< height; x, y, z of the normal
+  Image<glsl::vec4> height_levels{1, 1, {0, 0, 0, 0}};  ///< the same of levels of detail
 };
+
+template <class Visitor>
+void for_each_texture(const ReliefPlanes& relief, Visitor&& visit) {
+  using S = glsl::Samplers;
+  visit(Texture{"height_plane"}, relief.height_plane, &S::height_plane);
+  visit(Texture{"height_levels", Precision::half}, relief.height_levels, &S::height_levels);
+}
 
 /// `coarsest` as the stack has it, with the map "height". The normals are those of the material, or those of the
 /// heights: by central differences, at the depth of the options. Borders of patches are hard. Throws Error(usage) when

@@ -39,23 +39,10 @@ Nesting nesting_at(const StackPlanes& planes, glsl::uvec2 reference) {
 
 glsl::Program program_of(const StackPlanes& planes, uint32_t seed, glsl::uvec2 reference) {
   glsl::Program program;
-  program.patch_plane = sampler_of(planes.patch_plane);
-  program.contents = sampler_of(planes.contents);
-  program.base = sampler_of(planes.base);
-  program.masks = sampler_of(planes.masks);
-  program.noise_tiles = sampler_of(planes.noise_tiles);
-  program.noise_log2 = {planes.noise_log2.x, planes.noise_log2.y};
+  for_each_texture(planes, sampler_binder(program));
+  program.centers = program.level_table = program.scale_table;  // small tables share a texture
+  bind_uniforms<glsl::NoiseUniforms>(planes, program);
   program.finest_noise_step = planes.noise_step;
-  program.noise_root = planes.noise_root;
-  program.fragment_plane = sampler_of(planes.fragment_plane);
-  program.local_mean = sampler_of(planes.local_mean);
-  program.scale_table = program.centers = program.level_table = sampler_of(planes.scale_table);
-  program.color_table = sampler_of(planes.color_table);
-  program.level_blocks = sampler_of(planes.level_blocks);
-  program.level_entries = sampler_of(planes.level_entries);
-  program.base_levels = sampler_of(planes.base_levels);
-  program.level_weights = sampler_of(planes.level_weights);
-  program.fragment_shares = sampler_of(planes.fragment_shares);
   program.scale_count = planes.scale_count();
   program.stack_seed = seed;
   const Nesting nesting = nesting_at(planes, reference);

@@ -11,8 +11,8 @@
 
 namespace texbake {
 
-/// Everything that a stack binds: shaders/README.md, "Several scales".
-struct StackPlanes {
+/// Everything that a stack binds: shaders/README.md, "Several scales". Noises are those of the finest scale.
+struct StackPlanes : glsl::NoiseUniforms {
   std::vector<V2i> sizes;                ///< of the tiles, coarse to fine
   std::vector<ScaleTransfer> transfers;  ///< of each scale; the coarsest's means nothing
   std::vector<int> content_counts, patch_counts;
@@ -21,9 +21,6 @@ struct StackPlanes {
   Image<glsl::vec4> base;
   Image<glsl::FragmentTexel> fragment_plane;
   Image<glsl::vec4> local_mean;
-  V2i noise_log2{0, 0};  ///< this and the next three: of the finest scale, as in EvaluatorPlanes
-  int noise_step = 0;
-  int noise_root = 0;
   Image<glsl::MaskTexel> masks;
   Image<glsl::vec4> noise_tiles;
   Image<glsl::ivec4> scale_table;  ///< with the centres of patches; add_levels appends the tables of levels
@@ -45,6 +42,25 @@ struct StackPlanes {
   /// Texels of the finest scale along one texel of `scale`.
   int64_t texels_in(int scale) const;
 };
+
+template <class Visitor>
+void for_each_texture(const StackPlanes& planes, Visitor&& visit) {
+  using S = glsl::Samplers;
+  visit(Texture{"patch_plane"}, planes.patch_plane, &S::patch_plane);
+  visit(Texture{"contents"}, planes.contents, &S::contents);
+  visit(Texture{"base", Precision::exact_half}, planes.base, &S::base);
+  visit(Texture{"masks"}, planes.masks, &S::masks);
+  visit(Texture{"noise_tiles", Precision::exact_half}, planes.noise_tiles, &S::noise_tiles);
+  visit(Texture{"fragment_plane"}, planes.fragment_plane, &S::fragment_plane);
+  visit(Texture{"local_mean"}, planes.local_mean, &S::local_mean);
+  visit(Texture{"scale_table"}, planes.scale_table, &S::scale_table);
+  visit(Texture{"color_table"}, planes.color_table, &S::color_table);
+  visit(Texture{"level_blocks"}, planes.level_blocks, &S::level_blocks);
+  visit(Texture{"level_entries"}, planes.level_entries, &S::level_entries);
+  visit(Texture{"base_levels", Precision::half}, planes.base_levels, &S::base_levels);
+  visit(Texture{"level_weights"}, planes.level_weights, &S::level_weights);
+  visit(Texture{"fragment_shares"}, planes.fragment_shares, &S::fragment_shares);
+}
 
 /// What `scale` replaces from now on, of planes that were prepared with its local mean.
 void set_detail_mean(StackPlanes& planes, int scale, DetailMean mean);

@@ -97,7 +97,8 @@ struct MaskTexel {
 /// A block of texels in level_blocks: two 32-bit channels.
 struct LevelBlock {
   uint32_t first = 0;  ///< entry in level_entries
-  uint32_t owned = 0;  ///< patch idx of that entry | owner << kBlockOwnerBit | number of those after it << kBlockFollowingBit
+  uint32_t owned =
+      0;  ///< patch idx of that entry | owner << kBlockOwnerBit | number of those after it << kBlockFollowingBit
   bool operator==(const LevelBlock&) const = default;
 };
 

@@ -5,13 +5,7 @@
 
 namespace texbake::glsl {
 
-struct PerspectiveProgram : Program {
-  vec3 view_corner{0, 0, 1};
-  vec3 view_right{0, 0, 0};
-  vec3 view_down{0, 0, 0};
-  float view_height = 1;
-  int view_filter = 1;
-
+struct PerspectiveProgram : Program, CameraUniforms {
 #define PRECISE
 #include "shaders/perspective.glsl"
 //

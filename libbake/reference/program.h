@@ -1,74 +1,30 @@
-// The reference shader as a C++ type: its uniforms are the members, its functions the member functions.
-
+// The reference shader as a C++ type: its textures and uniforms are the members, its functions the member functions.
 #pragma once
 
-#include "libbake/reference/glsl.h"
+#include "libbake/reference/bindings.h"
 
 namespace texbake::glsl {
 
 /// Cheap to copy; borrows every plane. Each thread works on its own copy.
-struct Program {
-  usampler2D patch_plane;
-  isampler2D contents;
-  isampler2D centers;
-  sampler2D base;
-  Sampler<MaskTexel> masks;
-  sampler2D noise_tiles;
-  ivec2 noise_log2{0, 0};
-  int noise_step = 0;
-  int noise_root = 0;
-  isampler2D level_table;
-  Sampler<LevelBlock> level_blocks;
-  usampler2D level_entries;
-  Sampler<MaskTexel> level_weights;
-  int level_count = 0;
-  int first_level = 1;
-  ivec2 tile_size{1, 1};
-  uint content_count = 1;
-  uint seed = 0;
-  ivec4 deform_matrix{65536, 0, 0, 65536};
-  uvec2 deform_from_tile{0, 0};
-  ivec2 deform_from{0, 0};
-  uvec2 deform_to_tile{0, 0};
-  ivec4 deform_to{0, 0, 0, 0};
-  ivec2 turbulence{0, 6};
+struct Program : Samplers, NoiseUniforms, LevelUniforms, TileUniforms, DeformUniforms, StackUniforms, ReliefUniforms {
+  // Where the scale in use begins in planes and tables, and what else a stack says of it.
   int plane_row = 0;
   int first_patch = 0;
   int level_row = 0;
   int block_row = 0;
   int entry_row = 0;
   int value_row = 0;
-
-  // A stack of scales.
-  int finest_noise_step = 0;
-  fragment_sampler2D fragment_plane;
-  sampler2D local_mean;
-  isampler2D scale_table;
-  sampler2D color_table;
-  sampler2D base_levels;
-  isampler2D fragment_shares;
   int dominant_row = 0;
   int share_row = 0;
-  int scale_count = 1;
-  uint stack_seed = 0;
-  uvec4 nesting[8] = {};
-  ivec2 nesting_offset[8] = {};
   int ratio = 1;
   int first_class = 0;
   int transfer_bits = 0;
+  // What coarser_color of a stack found last.
   int kept_scale = -1;
   uvec2 kept_tile{0, 0};
   ivec2 kept_p{0, 0};
   vec4 kept_color{0, 0, 0, 0};
-
-  // Relief.
-  sampler2D height_plane;
-  vec4 relief_range{0, 0, 0, 0};
-  ivec2 relief_steps{1, 0};
-  sampler2D height_levels;
-  float relief_depth = 0;
-  vec4 relief_light{0, 0, 1, 0};
-  int relief_kind = 0;
+  // The level at which heights are read.
   int relief_level = 0;
 
 #define PRECISE

@@ -47,39 +47,29 @@ class InfiniteStack extends InfiniteTexture {
     return way ? [...views, ['lit', 1, {...alone, viewer: [-way[0], -way[1], 1]}]] : views;
   }
 
-  use(program, origin, seed, view) {
-    const gl = this.gl;
-    const uniform = this.bind(program);
-    const texels = BigInt(this.texelsIn(view.scale));
-    const nesting = this.nestingNear(origin);
-    gl.uniform1i(uniform('scale_count'), this.scales.length);
-    gl.uniform1ui(uniform('stack_seed'), seed);
-    gl.uniform2iv(uniform('noise_log2'), this.texture.noise_log2);
-    gl.uniform1i(uniform('finest_noise_step'), this.texture.noise_step);
-    gl.uniform1i(uniform('noise_root'), this.texture.noise_root);
-    gl.uniform4uiv(uniform('nesting'), nesting.tiles);
-    gl.uniform2iv(uniform('nesting_offset'), nesting.offsets);
-    this.setOrigin(uniform, {x: floorDivided(origin.x, texels), y: floorDivided(origin.y, texels)}, this.scales[view.scale].size);
-    gl.uniform1i(uniform('view_scale'), view.scale);
-    gl.uniform1i(uniform('level_256'), view.level_256);
-    gl.uniform1f(uniform('fading'), view.fading);
-    gl.uniform1f(uniform('variation'), view.variation);
-    this.setRelief(uniform, view);
-    return uniform;
+  windowUniforms(origin, seed, view) {
+    const {scales, texture} = this;
+    const {scale, level_256, fading, variation} = view;
+    const texels = BigInt(this.texelsIn(scale));
+    const corner = {x: floorDivided(origin.x, texels), y: floorDivided(origin.y, texels)};
+    return {
+      ...texture,
+      scale_count: scales.length, stack_seed: seed, finest_noise_step: texture.noise_step,
+      ...this.nestingNear(origin),
+      ...originUniforms(corner, scales[scale].size),
+      view_scale: scale, level_256, fading, variation,
+      ...this.reliefUniforms(view),
+    };
   }
 
   // Towards a viewer; flat without one.
-  setRelief(uniform, {viewer, step_256, scale}) {
-    const gl = this.gl;
+  reliefUniforms({viewer, step_256, scale}) {
     const {relief} = this.texture;
-    gl.uniform1f(uniform('relief_depth'), relief && viewer ? relief.depth : 0);
-    if (!relief || !viewer) return;
+    if (!relief || !viewer) return {relief_depth: 0};
     const [x, y, z] = viewer;
-    gl.uniform3f(uniform('slant'), -x / z, -y / z, step_256 / 256 / (this.texelsIn(0) / this.texelsIn(scale)));
-    gl.uniform4fv(uniform('relief_range'), relief.range);
-    gl.uniform4fv(uniform('relief_light'), relief.light);
-    gl.uniform2iv(uniform('relief_steps'), relief.steps);
-    gl.uniform1i(uniform('relief_kind'), relief.kind);
+    const slant = [-x / z, -y / z, step_256 / 256 / (this.texelsIn(0) / this.texelsIn(scale))];
+    const uniforms = Object.entries(relief).map(([name, value]) => [`relief_${name}`, value]);
+    return {slant, ...Object.fromEntries(uniforms)};
   }
 
   // Of each scale the repetition in which `origin` lies, and where its corner is in the scale before it. Repetitions
@@ -99,7 +89,7 @@ class InfiniteStack extends InfiniteTexture {
         tile = outer;
       }
     });
-    return {tiles, offsets};
+    return {nesting: tiles, nesting_offset: offsets};
   }
 }
 

@@ -12,6 +12,7 @@ class InfiniteTexture {
     this.texture = texture;
     this.size = texture.size;
     this.farthest_step_256 = 256 * 64;
+    this.uniforms = new Map();
     this.viewer = this.link(shaders.vertex, shaders[viewer]);
     this.reference = this.link(shaders.vertex, shaders[reference]);
     this.planes = {};
@@ -28,11 +29,13 @@ class InfiniteTexture {
     const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(view.step_256 / 256)));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
-    const uniform = this.use(this.viewer, origin, seed, {...view, viewer});
-    gl.uniform1ui(uniform('step_256'), Math.max(1, Math.floor(view.step_256 / samples)));
-    gl.uniform1i(uniform('samples'), samples);
-    gl.uniform1i(uniform('height_px'), gl.drawingBufferHeight);
-    gl.uniform1i(uniform('show'), show);
+    this.use(this.viewer, {
+      ...this.windowUniforms(origin, seed, {...view, viewer}),
+      step_256: Math.max(1, Math.floor(view.step_256 / samples)),
+      samples,
+      height_px: gl.drawingBufferHeight,
+      show,
+    });
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
@@ -68,10 +71,8 @@ class InfiniteTexture {
     const origin = this.placeOf(point);
     const value = {};
     for (const [name, filter, view] of this.pointViews(point)) {
-      const uniform = this.use(this.reference, origin, point.seed, view);
-      gl.uniform1ui(uniform('step_256'), 1);
-      gl.uniform2i(uniform('first_row'), 0, 1);
-      gl.uniform1i(uniform('filter_kind'), filter);
+      const uniforms = this.windowUniforms(origin, point.seed, view);
+      this.use(this.reference, {...uniforms, step_256: 1, first_row: [0, 1], filter_kind: filter});
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       const color = new Float32Array(4);
       const decided = new Uint32Array(4);
@@ -97,42 +98,26 @@ class InfiniteTexture {
     return [['nearest', 0, {level_256: 0}], ['bilinear', 1, {level_256: 0}], ['trilinear', 1, {level_256: point.level_256 || 0}]];
   }
 
-  // Binds a program and the planes; returns how its uniforms are found.
-  bind(program) {
+  // What every window has, by the names of shaders/README.md: what texture.js tells, and how it is seen.
+  windowUniforms(origin, seed, {level_256}) {
+    const {size, texture} = this;
+    const kPlanePlain = 0, kPlaneStructure = 4;
+    const plane_kind = texture.noise_step ? kPlaneStructure : kPlanePlain;
+    return {...texture, tile_size: size, plane_kind, level_256, seed, ...originUniforms(origin, size)};
+  }
+
+  // Makes a program current with the planes, and sets those of its uniforms that `values` names.
+  use(program, values) {
     const gl = this.gl;
-    const uniform = (name) => gl.getUniformLocation(program, name);
     gl.useProgram(program);
-    Object.entries(this.planes).forEach(([name, texture], unit) => {
+    Object.values(this.planes).forEach((texture, unit) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.uniform1i(uniform(name), unit);
     });
-    return uniform;
-  }
-
-  // The same with what every window has.
-  use(program, origin, seed, view) {
-    const gl = this.gl;
-    const uniform = this.bind(program);
-    gl.uniform2i(uniform('tile_size'), this.size[0], this.size[1]);
-    gl.uniform1ui(uniform('content_count'), this.texture.content_count);
-    gl.uniform2i(uniform('noise_log2'), this.texture.noise_log2[0], this.texture.noise_log2[1]);
-    gl.uniform1i(uniform('noise_step'), this.texture.noise_step);
-    gl.uniform1i(uniform('noise_root'), this.texture.noise_root);
-    gl.uniform1i(uniform('plane_kind'), this.texture.noise_step ? 4 : 0);
-    gl.uniform1i(uniform('level_count'), this.texture.level_count);
-    gl.uniform1i(uniform('first_level'), this.texture.first_level);
-    gl.uniform1i(uniform('level_256'), view.level_256);
-    gl.uniform1ui(uniform('seed'), seed);
-    this.setOrigin(uniform, origin, this.size);
-    return uniform;
-  }
-
-  // Where a window begins, on a tile of `size`.
-  setOrigin(uniform, origin, size) {
-    const [x, y] = [splitCoordinate(origin.x, size[0]), splitCoordinate(origin.y, size[1])];
-    this.gl.uniform2ui(uniform('origin_tile'), x.tile, y.tile);
-    this.gl.uniform2i(uniform('origin_offset'), x.offset, y.offset);
+    const units = Object.fromEntries(Object.keys(this.planes).map((name, unit) => [name, unit]));
+    const all = {...values, ...units};
+    for (const {name, location, setter} of this.uniforms.get(program))
+      if (all[name] !== undefined) gl[setter](location, typeof all[name] === 'number' ? [all[name]] : all[name]);
   }
 
   link(vertexText, fragmentText) {
@@ -147,7 +132,23 @@ class InfiniteTexture {
     }
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    this.uniforms.set(program, this.uniformsOf(program));
     return program;
+  }
+
+  // The uniforms that a linked program uses, and how each is set.
+  uniformsOf(program) {
+    const gl = this.gl;
+    const setters = {
+      [gl.FLOAT]: 'uniform1fv', [gl.FLOAT_VEC3]: 'uniform3fv', [gl.FLOAT_VEC4]: 'uniform4fv',
+      [gl.INT]: 'uniform1iv', [gl.INT_VEC2]: 'uniform2iv', [gl.INT_VEC4]: 'uniform4iv',
+      [gl.UNSIGNED_INT]: 'uniform1uiv', [gl.UNSIGNED_INT_VEC2]: 'uniform2uiv', [gl.UNSIGNED_INT_VEC4]: 'uniform4uiv',
+      [gl.SAMPLER_2D]: 'uniform1iv', [gl.INT_SAMPLER_2D]: 'uniform1iv', [gl.UNSIGNED_INT_SAMPLER_2D]: 'uniform1iv',
+    };
+    return Array.from({length: gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS)}, (_, i) => {
+      const {name, type} = gl.getActiveUniform(program, i);
+      return {name: name.replace('[0]', ''), location: gl.getUniformLocation(program, name), setter: setters[type]};
+    });
   }
 
   upload({format, width, height, data}) {
@@ -176,6 +177,12 @@ class InfiniteTexture {
       gl.texParameteri(gl.TEXTURE_2D, parameter, value);
     return texture;
   }
+}
+
+// Where a window begins, on a tile of `size`.
+function originUniforms(origin, size) {
+  const [x, y] = [splitCoordinate(origin.x, size[0]), splitCoordinate(origin.y, size[1])];
+  return {origin_tile: [x.tile, y.tile], origin_offset: [x.offset, y.offset]};
 }
 
 // A coordinate in 1/256 texel, any BigInt: the repetition of the tile modulo 2^32, and the place there.

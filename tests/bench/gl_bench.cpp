@@ -4,7 +4,6 @@
 #include <benchmark/benchmark.h>
 
 #include "libbake/gl/gl_renderer.h"
-#include "libbake/gl/gl_stack_renderer.h"
 #include "libbake/planes/levels.h"
 #include "libbake/planes/stack_levels.h"
 #include "tests/libbake/draw/small_stack.h"
@@ -117,8 +116,8 @@ void draw_stack(benchmark::State& state, WithRelief with_relief, Filter filter) 
   input.maps.push_back({"height", MapKind::height, {height}});
   const ReliefPlanes relief = relief_planes(input, {.depth_px = 4}, {-1, -1, 1.5f});
   const GlContext context({kLanguage, std::nullopt});
-  GlStackRenderer renderer(context, planes, stack_perspective_fragment_shader(kLanguage),
-                           with_relief == WithRelief::yes ? &relief : nullptr);
+  GlRenderer renderer(context, planes, stack_perspective_fragment_shader(kLanguage),
+                      with_relief == WithRelief::yes ? &relief : nullptr);
   const Perspective view = plane_view(filter);
   renderer.draw_only(view, 0, view.height);
   for (auto _ : state) renderer.draw_only(view, 0, view.height);

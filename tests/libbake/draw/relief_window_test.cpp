@@ -121,9 +121,9 @@ TEST(ReliefWindow, ARayMeetsTheSurfaceWhereASlowWalkDoes) {
   const double slope_x = -0.5 / 0.8 * 8, slope_y = 0.3 / 0.8 * 8;
   for (int i = 0; i < 300; ++i) {
     const double x = i * 37 % 32 + 0.25, y = i * 11 % 32 + 0.75;
-    const double level = slow_hit(of, x, y, double{rays.relief.range.z}, slope_x, slope_y);
+    const double level = slow_hit(of, x, y, double{rays.relief.relief_range.z}, slope_x, slope_y);
     // A bilinear surface is off the smooth one by h''/8 = 0.0015, a ray of slope 6 by 0.01 texels; it may graze.
-    EXPECT_NEAR(double{rays.met(x, y, kAslant).moved.x}, slope_x * (double{rays.relief.range.z} - level), 0.1)
+    EXPECT_NEAR(double{rays.met(x, y, kAslant).moved.x}, slope_x * (double{rays.relief.relief_range.z} - level), 0.1)
         << x << " " << y;
   }
 }

@@ -3,7 +3,6 @@
 
 #include "gl_test_context.h"
 #include "libbake/gl/gl_renderer.h"
-#include "libbake/gl/gl_stack_renderer.h"
 #include "tests/golden/golden_stack.h"
 
 namespace texbake {
@@ -41,8 +40,8 @@ TEST(GoldenGl, TheShaderGivesEveryVectorOfAStack) {
     for (const char* name : kGoldenStackNames) {
       const GoldenStack golden = read_golden_stack(name);
       const int finest = golden.planes.finest();
-      GlStackRenderer renderer(*context, golden.planes);
-      std::optional<GlStackRenderer> with_relief;
+      GlRenderer renderer(*context, golden.planes);
+      std::optional<GlRenderer> with_relief;
       if (golden.relief) with_relief.emplace(*context, golden.planes, &*golden.relief);
       for (const GoldenStackPoint& point : golden.points) {
         const Window nearest = point.near.window(Filter::nearest), bilinear = point.near.window(Filter::bilinear);
