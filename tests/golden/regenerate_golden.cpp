@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "libbake/color/luv.h"
+#include "libbake/reference/semantics.h"
 #include "tests/libbake/draw/relief_painter.h"
 
 namespace texbake {
