@@ -1,15 +1,16 @@
-// The direction in which a cloud of points varies most, from its moments. Based on: principal component analysis by
-// cyclic Jacobi rotations (Golub & Van Loan, §8.5), which needs no more than + − × ÷ and sqrt.
+// The direction in which a cloud of points varies most, from its moments. Based on: principal component analysis.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "libbake/base/symmetric_eigen.h"
+
 namespace texbake {
 
 inline constexpr int kMaxPointDimension = 4;  ///< L, u*, v* and the weighted height
 using PointD = std::array<double, kMaxPointDimension>;
-using SymmetricMatrix = std::array<PointD, kMaxPointDimension>;
+using SymmetricMatrix = SquareMatrix<kMaxPointDimension>;
 
 /// Sums over points, from which mean and covariance follow. Coordinates beyond the dimension of the points stay 0.
 struct Moments {

@@ -1,54 +1,12 @@
-// Eigenvectors of a 3×3 covariance by Jacobi rotations: additions, products and square roots only.
 #include "libbake/noise/color_basis.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "libbake/base/symmetric_eigen.h"
+
 namespace texbake {
 namespace {
-
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-struct Eigen3 {
-  Matrix values;   // diagonal
-  Matrix vectors;  // columns
-};
-
-/// Turns the plane (p, q) so that values[p][q] becomes 0.
-void rotate(Eigen3& e, size_t p, size_t q) {
-  if (e.values[p][q] == 0.0) return;
-  const double theta = (e.values[q][q] - e.values[p][p]) / (2.0 * e.values[p][q]);
-  const double t = (theta >= 0.0 ? 1.0 : -1.0) / (std::fabs(theta) + std::sqrt(theta * theta + 1.0));
-  const double c = 1.0 / std::sqrt(t * t + 1.0);
-  const double s = t * c;
-  for (size_t i = 0; i < 3; ++i) {
-    const double a = e.values[i][p];
-    const double b = e.values[i][q];
-    e.values[i][p] = c * a - s * b;
-    e.values[i][q] = s * a + c * b;
-  }
-  for (size_t i = 0; i < 3; ++i) {
-    const double a = e.values[p][i];
-    const double b = e.values[q][i];
-    e.values[p][i] = c * a - s * b;
-    e.values[q][i] = s * a + c * b;
-    const double va = e.vectors[i][p];
-    const double vb = e.vectors[i][q];
-    e.vectors[i][p] = c * va - s * vb;
-    e.vectors[i][q] = s * va + c * vb;
-  }
-}
-
-Eigen3 eigen(const Matrix& symmetric) {
-  Eigen3 e{symmetric, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-  constexpr int kSweeps = 12;  // convergence is quadratic: six sweeps reach the last bit
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    rotate(e, 0, 1);
-    rotate(e, 0, 2);
-    rotate(e, 1, 2);
-  }
-  return e;
-}
 
 V3f with_positive_peak(const V3f& v) {
   int peak = 0;
@@ -69,7 +27,7 @@ ColorBasis principal_basis(ImageView<const V3f> colors, ImageView<const uint8_t>
   }
   ColorBasis basis;
   if (count == 0.0) return basis;
-  Matrix covariance = {};
+  SquareMatrix<3> covariance = {};
   for (size_t i = 0; i < colors.size(); ++i) {
     if (mask.data()[i] == 0) continue;
     std::array<double, 3> d;
@@ -80,7 +38,7 @@ ColorBasis principal_basis(ImageView<const V3f> colors, ImageView<const uint8_t>
   for (int c = 0; c < 3; ++c) basis.mean[c] = static_cast<float>(sum[static_cast<size_t>(c)] / count);
   if (!(covariance[0][0] + covariance[1][1] + covariance[2][2] > 0.0)) return basis;
 
-  const Eigen3 e = eigen(covariance);
+  const SymmetricEigen<3> e = symmetric_eigen(covariance);
   std::array<size_t, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return e.values[a][a] > e.values[b][b]; });
   for (size_t c = 0; c < 3; ++c) {
