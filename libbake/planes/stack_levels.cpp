@@ -142,10 +142,4 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   stack.fragment_shares = in_one(std::move(shares), glsl::ivec4{0, 0, 0, 0});
 }
 
-StackLevelMemory level_memory(const StackPlanes& stack) {
-  return {stack.base_levels.size() * sizeof(glsl::vec4) + stack.level_weights.size() * sizeof(glsl::MaskTexel),
-          stack.level_blocks.size() * sizeof(glsl::LevelBlock) + stack.level_entries.size() * sizeof(glsl::PatchTexel) +
-              stack.fragment_shares.size() * sizeof(glsl::ivec4)};
-}
-
 }  // namespace texbake

@@ -16,10 +16,4 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales);
 /// The level after which a scale of this ratio has faded: log2, rounded up.
 int last_level(int ratio);
 
-/// Memory of the levels in bytes: values, and lists of patches and fragments.
-struct StackLevelMemory {
-  uint64_t values = 0, lists = 0;
-};
-StackLevelMemory level_memory(const StackPlanes& stack);
-
 }  // namespace texbake
