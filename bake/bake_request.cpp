@@ -104,7 +104,8 @@ void check_kind(const Json& recipe, const std::string& path) {
 MaterialFile material_file(const Json& json, const fs::path& folder, const std::string& where) {
   const auto text = [&](const char* key, bool required) {
     const Json value = json.is_object() ? json.value(key, Json()) : Json();
-    if (!value.is_string() && (required || !value.is_null())) refuse(where, fmt::format("expected a text \"{}\"", key));
+    if (!value.is_string() && (required || !value.is_null()))
+      refuse(where, fmt::format("expected a string \"{}\"", key));
     return value.is_string() ? value.get<std::string>() : std::string();
   };
   return {text("name", true), (folder / text("file", true)).string(), text("sha256", false)};
@@ -112,7 +113,7 @@ MaterialFile material_file(const Json& json, const fs::path& folder, const std::
 
 void read_files(const Json& recipe, const std::string& path, MaterialFiles& files) {
   const Json list = recipe.value("files", Json());
-  if (!list.is_array() || list.empty()) refuse(path, "expected \"files\": a list that begins with the colour");
+  if (!list.is_array() || list.empty()) refuse(path, "expected \"files\", a list that begins with the color");
   const fs::path folder = fs::path(path).parent_path();
   files.color = material_file(list[0], folder, path + ": files[0]");
   if (files.color.name != "color") refuse(path + ": files[0]", "expected the name \"color\"");
@@ -146,10 +147,9 @@ Json recipe_of(const Bundle& bundle) {
   if (!layer_stages(stages).there.empty()) layers.layers = Layers::structure_noise;
   for (const StageRow* row : stages_for(layers))
     if (!stages.contains(row->verb))
-      refuse("recipe",
-             fmt::format("expected a bundle that bake can make again, found none of its stage {}", row->verb));
+      refuse("recipe", fmt::format("expected a bundle that bake can make again, but it has no stage {}", row->verb));
   for (const auto& [verb, parameters] : stages.items())
-    if (!known.contains(verb)) refuse("recipe", fmt::format("the stage {} is not one that bake runs", verb));
+    if (!known.contains(verb)) refuse("recipe", fmt::format("the stage {} is not part of bake", verb));
   Json recipe;
   recipe["asset"] = {{"kind", kRecipeKind}, {"version", kRecipeVersion}};
   recipe["files"] = Json::array();
@@ -164,7 +164,7 @@ BakeRequest read_recipe(const std::string& path) {
   BakeRequest request;
   read_files(recipe, path, request.convert.files);
   const Json stages = recipe.value("stages", Json::object());
-  if (!stages.is_object()) refuse(path, "expected \"stages\": an object");
+  if (!stages.is_object()) refuse(path, "expected \"stages\" to be an object");
 
   // A stage may have several structs of options: every member belongs to one of them.
   std::map<std::string, JsonReader> readers;
@@ -176,7 +176,7 @@ BakeRequest read_recipe(const std::string& path) {
     refuse(path, fmt::format("stages: expected both {}, or neither", fmt::join(layers.all, " and ")));
   if (!layers.there.empty()) request.layers.layers = Layers::structure_noise;
   for (const auto& [verb, reader] : readers)
-    if (!known.contains(verb)) refuse(path, fmt::format("stages: \"{}\" is not a stage that bake runs", verb));
+    if (!known.contains(verb)) refuse(path, fmt::format("stages: \"{}\" is not a stage of bake", verb));
   for_each_stage_options(request, [&](const std::string& verb, auto& options) {
     const auto reader = readers.find(verb);
     if (reader != readers.end()) reader->second.read(options);

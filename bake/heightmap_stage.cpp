@@ -47,14 +47,13 @@ Json figures_of(const Heightmap& map, size_t clicks, const std::optional<Image<f
 void tell(const Heightmap& map, size_t clicks, Listener& listener) {
   if (!map.classes_without_click.empty())
     listener.warning(
-        fmt::format("no click lies on colour class {}: its texels took their heights from all "
-                    "clicks, by appearance; texbake render --show index shows where it is",
+        fmt::format("no click lies on color class {}: its heights were taken from all clicks, by appearance; \"texbake "
+                    "render --show index\" shows where that class is",
                     fmt::join(map.classes_without_click, ", ")));
   if (static_cast<size_t>(map.clicks_used) < clicks)
-    listener.note(
-        fmt::format("{} of {} clicks were used, those whose surroundings differ most; --max-representatives "
-                    "keeps more",
-                    map.clicks_used, clicks));
+    listener.note(fmt::format(
+        "{} of {} clicks were used, those whose surroundings differ most; a larger --max-representatives keeps more",
+        map.clicks_used, clicks));
 }
 
 void replace_source(Bundle& bundle, const ClickFile& file) {

@@ -15,16 +15,15 @@ void check_names(const std::vector<MaterialFile>& maps) {
   std::set<std::string> names;
   for (const MaterialFile& map : maps)
     if (!names.insert(map.name).second)
-      throw Error(ErrorKind::usage, fmt::format("--map {}: given twice; every map has a name of its own", map.name));
+      throw Error(ErrorKind::usage, fmt::format("--map {}: given twice; every map needs its own name", map.name));
 }
 
 Picture read_noted(const MaterialFile& file, InputSpace space, PictureRole role, Listener& listener) {
   Picture picture = read_picture(file.file, space, role);
   if (!file.sha256.empty() && picture.sha256 != file.sha256)
-    throw Error(ErrorKind::bad_data,
-                fmt::format("{}: expected the file of SHA-256 {}, found {}; take \"sha256\" out of the recipe to bake "
-                            "another picture",
-                            file.file, file.sha256, picture.sha256));
+    throw Error(ErrorKind::bad_data, fmt::format("{}: expected the file with SHA-256 {}, found {}; remove \"sha256\" "
+                                                 "from the recipe to bake another picture",
+                                                 file.file, file.sha256, picture.sha256));
   for (const std::string& note : picture.notes) listener.warning(note);
   return picture;
 }
@@ -79,10 +78,10 @@ Map map_tile(const TilePlan& plan, const std::string& name, const Picture& pictu
 
 Image<float> height_tile(const TilePlan& plan, const Picture& picture) {
   if (picture.channels != 1)
-    throw Error(ErrorKind::bad_data, fmt::format("{}: expected a grey height map, found colours", picture.name));
+    throw Error(ErrorKind::bad_data, fmt::format("{}: expected a gray height map, found colors", picture.name));
   const auto [least, most] = std::minmax_element(picture.planes[0].begin(), picture.planes[0].end());
   if (*least < 0 || *most > 1)
-    throw Error(ErrorKind::bad_data, fmt::format("{}: expected heights of 0 to 1, found {} to {}; rescale them first",
+    throw Error(ErrorKind::bad_data, fmt::format("{}: expected heights from 0 to 1, found {} to {}; rescale them first",
                                                  picture.name, *least, *most));
   return apply(plan, picture.planes[0]);
 }

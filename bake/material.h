@@ -32,10 +32,11 @@ struct ImportOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.input_space, Field{.name = "input-space",
-                                  .help = "of the colour; auto: what the file says, else sRGB for integers and linear "
-                                          "for floats"});
+                                  .help = "color space of the color picture; auto: what the file says, otherwise sRGB "
+                                          "for integers and linear for floats"});
     visit(self.normal_convention,
-          Field{.name = "normal-convention", .help = "of the map \"normal\": +y up (opengl) or down (directx)"});
+          Field{.name = "normal-convention",
+                .help = "convention of the map \"normal\": +y up (opengl) or +y down (directx)"});
   }
 };
 

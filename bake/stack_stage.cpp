@@ -37,7 +37,7 @@ std::string part_of(const std::string& text, size_t i, size_t count, const char*
   if (parts.empty()) return "";
   if (parts.size() != count)
     throw Error(ErrorKind::usage,
-                fmt::format("--{}: expected {} lists parted by \"/\", one for each scale but the coarsest, found {}",
+                fmt::format("--{}: expected {} lists separated by \"/\", one for each scale but the coarsest, found {}",
                             flag, count, parts.size()));
   return parts[i];
 }
@@ -46,9 +46,9 @@ int ratio_of(const std::string& text, size_t i, size_t count) {
   const Field field{.name = "ratio", .unit = "fine texels", .min = 2, .max = kMaxRatio};
   const std::vector<std::string> parts = parted(text, ',');
   if (parts.size() != 1 && parts.size() != count)
-    throw Error(
-        ErrorKind::usage,
-        fmt::format("--ratio: expected one number, or {}: one for each pair of scales, found {}", count, parts.size()));
+    throw Error(ErrorKind::usage,
+                fmt::format("--ratio: expected one number, or {} (one for each pair of scales), found {}", count,
+                            parts.size()));
   return static_cast<int>(parse_integer("ratio", field, parts[parts.size() == 1 ? 0 : i]));
 }
 
@@ -56,9 +56,9 @@ void check_single(const NamedBundle& named) {
   if (named.bundle.scales.size() == 1) return;
   throw Error(
       ErrorKind::bad_data,
-      fmt::format("{}: expected a bundle of one scale, found a stack of {}: stack its scales and the others in one "
-                  "call",
-                  named.path, named.bundle.scales.size()));
+      fmt::format(
+          "{}: expected a bundle of one scale, found a stack of {}; stack its scales and the others in one call",
+          named.path, named.bundle.scales.size()));
 }
 
 /// A finer scale takes the place of the grain of a coarser one, from near; from afar it is in the exemplar.
@@ -66,8 +66,7 @@ void drop_coarse_noise(NamedBundle& named, Listener& listener) {
   if (!named.bundle.noise) return;
   drop_stage(named.bundle, "estimate-psd");
   listener.warning(fmt::format(
-      "{}: noise is drawn in the finest scale alone; the stack shows the exemplar of this one, and drops its "
-      "noise",
+      "{}: noise is drawn in the finest scale only; the stack shows the exemplar of this bundle, and drops its noise",
       named.path));
 }
 
@@ -75,8 +74,8 @@ void drop_coarse_noise(NamedBundle& named, Listener& listener) {
 void merge(Json& to, const Json& from, const std::string& path) {
   for (const auto& [key, value] : from.items()) {
     if (to.contains(key) && to[key] != value)
-      throw Error(ErrorKind::bad_data, fmt::format("{}: extension \"{}\": expected what the other scales say, found "
-                                                   "something else; remove it from one of them",
+      throw Error(ErrorKind::bad_data, fmt::format("{}: extension \"{}\": expected the same value as in the other "
+                                                   "scales, found another; remove it from one of them",
                                                    path, key));
     to[key] = value;
   }
@@ -109,8 +108,8 @@ void warn_of_black(const ScaleTransfer& transfer, double share, const std::strin
   constexpr double kSeen = 0.02;  // on four pairs of photographs less is not seen
   if (share < kSeen || transfer.detail == DetailStrength::relative) return;
   listener.warning(
-      fmt::format("scale {}: {:.0f} % of its texels are darker than black where the coarse scale is dark, and "
-                  "lose their detail; --detail relative keeps it",
+      fmt::format("scale {}: {:.0f} % of its texels fall below black where the coarse scale is dark, and lose their "
+                  "detail; --detail relative preserves it",
                   scale, 100 * share));
 }
 

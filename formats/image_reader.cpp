@@ -53,7 +53,7 @@ std::string one_line(std::string words) {
 [[noreturn]] void throw_damaged(const std::string& path, const std::string& words) {
   throw Error(
       ErrorKind::bad_data,
-      fmt::format("{}: expected a whole image, found a file that is cut off or damaged ({}): copy or export it again",
+      fmt::format("{}: expected a complete image, found a truncated or damaged file ({}); copy or export it again",
                   path, one_line(words)));
 }
 
@@ -75,10 +75,10 @@ void check_size(const std::string& path, const OIIO::ImageSpec& spec) {
                 fmt::format("{}: expected at least 1 x 1 texels, found {} x {}", path, spec.width, spec.height));
   if (spec.width > kMaxPictureSide || spec.height > kMaxPictureSide)
     throw Error(ErrorKind::bad_data,
-                fmt::format("{}: expected at most {} texels on a side, found {} x {}: crop it or scale it down", path,
+                fmt::format("{}: expected at most {} texels on a side, found {} x {}; crop it or scale it down", path,
                             kMaxPictureSide, spec.width, spec.height));
   if (spec.deep || spec.depth > 1)
-    throw Error(ErrorKind::unsupported, fmt::format("{}: expected a flat picture, found a {} one: flatten it", path,
+    throw Error(ErrorKind::unsupported, fmt::format("{}: expected a flat picture, found a {} one; flatten it", path,
                                                     spec.deep ? "deep" : "volume"));
 }
 
@@ -109,9 +109,9 @@ Channels choose_channels(const std::string& path, const OIIO::ImageSpec& spec, P
   const size_t count = channels.color.size();
   const bool suits = count == 3 || (count == 1 && role != PictureRole::normal);
   if (!suits)
-    throw Error(ErrorKind::bad_data, fmt::format("{}: expected {} channels besides alpha, found {}: export it as {}",
+    throw Error(ErrorKind::bad_data, fmt::format("{}: expected {} channels besides alpha, found {}; export it as {}",
                                                  path, role == PictureRole::normal ? "3" : "1 or 3", count,
-                                                 role == PictureRole::normal ? "RGB" : "grey or RGB"));
+                                                 role == PictureRole::normal ? "RGB" : "gray or RGB"));
   return channels;
 }
 
@@ -139,10 +139,9 @@ OpenPicture open_picture(const std::string& path, InputSpace space, PictureRole 
   open.orientation = open.spec.get_int_attribute("Orientation", 1);
   if (open.orientation < 1 || open.orientation > 8) open.orientation = 1;
   if (role == PictureRole::normal && open.orientation != 1)
-    throw Error(ErrorKind::unsupported,
-                fmt::format("{}: expected an upright normal map, found EXIF orientation {}: its vectors would have to "
-                            "turn too, export it upright",
-                            path, open.orientation));
+    throw Error(ErrorKind::unsupported, fmt::format("{}: expected an upright normal map, found EXIF orientation {}; "
+                                                    "its vectors would have to rotate too: export it upright",
+                                                    path, open.orientation));
   return open;
 }
 
@@ -257,7 +256,7 @@ void finish_color(const std::string& path, Picture& picture) {
       if (value < 0) ++negative;
       if (!(value > 0)) value = 0;  // also −0
     }
-  if (negative) note(picture, path, fmt::format("{} negative colour values became 0", negative));
+  if (negative) note(picture, path, fmt::format("{} negative color values were set to 0", negative));
   if (picture.channels == 1) {
     picture.planes[1] = picture.planes[0].clone();
     picture.planes[2] = picture.planes[0].clone();
@@ -270,7 +269,7 @@ void finish_data(const std::string& path, Picture& picture) {
   picture.channels = 1;
   picture.planes[1] = {};
   picture.planes[2] = {};
-  note(picture, path, "its three channels are equal: read as one");
+  note(picture, path, "its three channels are equal: read as one channel");
 }
 
 // Integers are vectors by code; what was read as 0 … 1 becomes −1 … 1.
@@ -282,7 +281,7 @@ void finish_normal(const std::string& path, Picture& picture, bool decoded_by_co
   if (std::any_of(picture.planes, picture.planes + 3, negative)) return;
   for (Image<float>& plane : picture.planes)
     for (float& value : plane) value = 2 * value - 1;
-  note(picture, path, "no component is negative: 0 to 1 was taken to mean -1 to 1");
+  note(picture, path, "no component is negative: 0 to 1 is taken to mean -1 to 1");
 }
 
 void note_what_was_ignored(OpenPicture& open, size_t transparent, PictureRole role, Picture& picture) {
@@ -290,17 +289,17 @@ void note_what_was_ignored(OpenPicture& open, size_t transparent, PictureRole ro
   const auto add = [&](const std::string& words) { note(picture, open.path, words); };
   if (transparent)
     add(fmt::format("alpha was dropped: {} of {} texels are not opaque{}", transparent, picture.planes[0].size(),
-                    open.channels.premultiplied ? ", their colour was divided by it" : ""));
+                    open.channels.premultiplied ? ", and their color was divided by it" : ""));
   if (open.orientation != 1) add(fmt::format("EXIF orientation {} was applied", open.orientation));
   if (spec.x != spec.full_x || spec.y != spec.full_y || spec.width != spec.full_width ||
       spec.height != spec.full_height)
-    add(fmt::format("the data window alone was read: {} x {} of a {} x {} frame", spec.width, spec.height,
+    add(fmt::format("only the data window was read: {} x {} of a {} x {} frame", spec.width, spec.height,
                     spec.full_width, spec.full_height));
   const std::string profile = spec.get_string_attribute("ICCProfile:profile_description");
   if (role == PictureRole::color && !profile.empty() && OIIO::Strutil::lower(profile).find("srgb") == std::string::npos)
-    add(fmt::format("its colour profile \"{}\" is not applied: values are taken as Rec.709 primaries, {}", profile,
+    add(fmt::format("its color profile \"{}\" is not applied: values are taken as Rec.709 primaries, {}", profile,
                     picture.space));
-  if (open.input->seek_subimage(1, 0)) add("it holds several pictures: the first was read");
+  if (open.input->seek_subimage(1, 0)) add("it contains several pictures: the first was read");
 }
 
 }  // namespace

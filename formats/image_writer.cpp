@@ -51,12 +51,12 @@ const Kind& kind_of(const std::string& path, std::optional<SampleType> samples) 
       std::find_if(kinds().begin(), kinds().end(), [&](const Kind& k) { return k.extension == extension; });
   if (kind == kinds().end())
     throw Error(ErrorKind::usage,
-                fmt::format("{}: expected a picture's name that ends in .png, .exr, .tif or .jpg, found {}", path,
+                fmt::format("{}: expected a picture name ending in .png, .exr, .tif or .jpg, found {}", path,
                             extension.empty() ? "no extension" : "." + extension));
   if (samples && std::find(kind->samples.begin(), kind->samples.end(), *samples) == kind->samples.end()) {
     std::string can;
     for (const SampleType type : kind->samples) can += (can.empty() ? "" : " or ") + std::string(enum_name(type));
-    throw Error(ErrorKind::usage, fmt::format("{}: expected {} bits for .{}, found {}: choose another name or depth",
+    throw Error(ErrorKind::usage, fmt::format("{}: expected {} bits for .{}, found {}; choose another name or depth",
                                               path, can, extension, enum_name(*samples)));
   }
   return *kind;
@@ -149,7 +149,8 @@ struct PictureWriter::State {
     // A colour space in TIFF needs a second directory, for which the file would have to be read while it is written.
     if (srgb && !is_tiff) spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("compression", kind.extension.starts_with('j') ? "jpeg:95" : "zip");
-    if (!output) throw Error(ErrorKind::unsupported, fmt::format("{}: this build writes no .{}", path, kind.extension));
+    if (!output)
+      throw Error(ErrorKind::unsupported, fmt::format("{}: this build cannot write .{}", path, kind.extension));
     output->set_ioproxy(&proxy);
     check(output->open(path, spec));
   }
@@ -159,7 +160,7 @@ struct PictureWriter::State {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(target, error);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-      throw Error(ErrorKind::io, fmt::format("{}: expected a file to write, found a {}: choose another name", target,
+      throw Error(ErrorKind::io, fmt::format("{}: expected a file to write, found a {}; choose another name", target,
                                              std::filesystem::is_directory(status) ? "directory" : "device or pipe"));
     return std::filesystem::is_symlink(std::filesystem::symlink_status(target, error)) &&
                    std::filesystem::exists(status)

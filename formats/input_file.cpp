@@ -18,17 +18,17 @@ void check_input_file(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    throw Error(ErrorKind::io, fmt::format("{}: expected an image file, found no such file: check the path", path));
+    throw Error(ErrorKind::io, fmt::format("{}: expected an image file, found no such file; check the path", path));
   if (error) throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}", path, error.message()));
   if (fs::is_directory(status))
     throw Error(ErrorKind::io, fmt::format("{}: expected an image file, found a directory{}", path,
                                            path.ends_with(".texbundle") || path.ends_with(".texbundle/")
-                                               ? ": a bundle is an input of other verbs"
-                                               : ": name a file in it"));
+                                               ? "; a bundle is the input of other verbs"
+                                               : "; name a file in it"));
   if (!fs::is_regular_file(status))
     throw Error(ErrorKind::io, fmt::format("{}: expected an image file, found a device, pipe or socket", path));
   if (path.find('?') != std::string::npos)  // OpenImageIO takes what follows it as settings
-    throw Error(ErrorKind::io, fmt::format("{}: a file name with '?' cannot be read: rename the file", path));
+    throw Error(ErrorKind::io, fmt::format("{}: a file name that contains '?' cannot be read; rename the file", path));
   if (!std::ifstream(path, std::ios::binary))
     throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   if (fs::file_size(path, error) == 0)

@@ -87,12 +87,13 @@ class StrictWatch {
   bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
     using Event = Json::parse_event_t;
     if (depth > kMaxManifestDepth)
-      throw Refused{IssueId::json_too_deep, fmt::format("expected at most {} levels, found more", kMaxManifestDepth)};
+      throw Refused{IssueId::json_too_deep,
+                    fmt::format("expected at most {} levels of nesting, found more", kMaxManifestDepth)};
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
       throw Refused{IssueId::json_duplicate_key,
-                    fmt::format("expected each key once, found {} twice", scalar_text(parsed))};
+                    fmt::format("expected each key only once, found {} twice", scalar_text(parsed))};
     return true;
   }
 

@@ -173,7 +173,7 @@ class ScaleReader {
       const std::string below = fmt::format("/maps/{}", i);
       const std::string name = map["name"];
       if (!names.insert(name).second)
-        issue(IssueId::name_taken, below + "/name", fmt::format("expected names that differ, found {} twice", name));
+        issue(IssueId::name_taken, below + "/name", fmt::format("expected different names, found {} twice", name));
       Map& read = scale_.maps.emplace_back();
       read.name = name;
       read.channels = map["channels"].get<int>();
@@ -217,7 +217,7 @@ void read_scales(const Json& json, Manifest& manifest, IssueLog& log) {
       continue;
     }
     if (!names.insert(json[i]["name"]).second)
-      log.add({IssueId::name_taken, {.pointer = pointer + "/name"}, "expected names that differ, found one twice"});
+      log.add({IssueId::name_taken, {.pointer = pointer + "/name"}, "expected different names, found one twice"});
     ScaleReader(json[i], pointer, manifest, log).read();
   }
   if (!log.error_below("/scales")) check_transfers(manifest.bundle, manifest.sizes, log);

@@ -71,7 +71,7 @@ std::optional<std::string> find_png_damage(const std::string& path) {
       return fmt::format("expected a chunk {} bytes into the file", static_cast<int64_t>(file.tellg()) - 8);
     const std::optional<uint32_t> crc = crc_of_chunk(file, name, big_endian(head));
     if (!crc || !read_exactly(file, tail, sizeof(tail))) return fmt::format("the file ends inside the chunk {}", name);
-    if (*crc != big_endian(tail)) return fmt::format("the checksum of the chunk {} differs", name);
+    if (*crc != big_endian(tail)) return fmt::format("the checksum of the chunk {} is wrong", name);
     if (name == "IEND") return std::nullopt;
   }
 }

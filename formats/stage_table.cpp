@@ -20,7 +20,7 @@ std::vector<StageRow> rows() {
        {},
        {"size", "tileFromSource", "maps", "mean", "palette", "planes.preview", "planes.exemplar", "planes.index",
         "planes.variation", "planes.height"},
-       {"colours", [](const Bundle&, const Scale& scale) { return scale.colors.has_value(); }}},
+       {"colors", [](const Bundle&, const Scale& scale) { return scale.colors.has_value(); }}},
       {"decompose",
        StageUse::layers,
        {"planes.exemplar"},

@@ -32,7 +32,7 @@ PointSet sample_with_rare_colors(const PointSource& source, int max_count, const
 
 void check_class_count(const ConvertOptions& options, const std::vector<PointF>& distinct) {
   if (!options.classes || static_cast<size_t>(*options.classes) <= distinct.size()) return;
-  throw Error(ErrorKind::bad_data, fmt::format("--classes: expected at most {}, the number of distinct colours of the "
+  throw Error(ErrorKind::bad_data, fmt::format("--classes: expected at most {}, the number of distinct colors in the "
                                                "exemplar, found {}; ask for fewer classes",
                                                distinct.size(), *options.classes));
 }

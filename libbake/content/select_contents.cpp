@@ -64,11 +64,10 @@ SearchResult search(const ContentClasses& classes, const ClassDistances& distanc
 void check_enough(const std::vector<Candidates>& candidates, int wanted, const SelectContentsOptions& options) {
   for (size_t patch = 0; patch < candidates.size(); ++patch)
     if (candidates[patch].size() < static_cast<size_t>(wanted))
-      throw Error(
-          ErrorKind::infeasible,
-          fmt::format("patch {}: expected {} translations {} px apart from each other, the tile has {}: ask for "
-                      "fewer contents (--count) or a smaller --separation",
-                      patch, wanted, *options.separation_px, candidates[patch].size()));
+      throw Error(ErrorKind::infeasible,
+                  fmt::format("patch {}: expected {} translations at least {} px apart, but the tile has {}; ask for "
+                              "fewer contents (--count) or a smaller --separation",
+                              patch, wanted, *options.separation_px, candidates[patch].size()));
 }
 
 // What the search found, as contents.
@@ -121,9 +120,11 @@ SelectContentsOptions resolve(const SelectContentsOptions& options, int width, i
   if (!effective.candidates)
     effective.candidates = options.choice == Choice::balanced ? std::max(kBalancedCandidates, 4 * wanted) : wanted;
   if (*effective.candidates < wanted)
-    throw Error(ErrorKind::usage, fmt::format("--candidates: expected {} or more, one for each of the {} contents but "
-                                              "the identity, found {}",
-                                              wanted, options.count, *effective.candidates));
+    throw Error(
+        ErrorKind::usage,
+        fmt::format(
+            "--candidates: expected at least {}, one for each of the {} contents other than the identity, found {}",
+            wanted, options.count, *effective.candidates));
   if (!effective.separation_px) effective.separation_px = std::max(std::min(width, height) / kSeparationDivisor, 1);
   if (!effective.soft_border_px) effective.soft_border_px = automatic_soft_border(std::min(width, height));
   effective.rotations = options.rotations.value_or(1);
@@ -132,12 +133,13 @@ SelectContentsOptions resolve(const SelectContentsOptions& options, int width, i
     throw Error(ErrorKind::usage, fmt::format("--rotations: expected 1, 2, 4 or 8, found {}", *effective.rotations));
   const bool is_turned = *effective.rotations > 1 || *effective.scales > 1;
   if (is_turned && options.lattice != LatticeUse::never)
-    throw Error(ErrorKind::usage,
-                "--lattice auto: expected no --rotations and --scales, which leave a lattice; found one of them");
+    throw Error(
+        ErrorKind::usage,
+        "--lattice auto: expected neither --rotations nor --scales, which would break the lattice; found one of them");
   if (is_turned && options.search == Search::exact)
     throw Error(ErrorKind::usage,
-                "--search exact: expected refined with --rotations and --scales, of which only the "
-                "most promising contents are searched exactly");
+                "--search exact: not possible with --rotations or --scales, which search exactly only among the most "
+                "promising contents; use --search refined");
   if (is_turned) effective.search = Search::refined;
   if (!effective.search) effective.search = std::max(width, height) <= kExactSide ? Search::exact : Search::refined;
   return effective;

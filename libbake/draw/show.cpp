@@ -100,11 +100,11 @@ void check_show(const EvaluatorPlanes& planes, Show show) {
   if (lacks_noise)
     throw Error(
         ErrorKind::usage,
-        fmt::format("--show {}: the bundle has no noise; run `texbake decompose` and `texbake estimate-psd` on it "
-                    "first",
-                    enum_name(show)));
+        fmt::format(
+            "--show {}: the bundle has no noise; run \"texbake decompose\" and \"texbake estimate-psd\" on it first",
+            enum_name(show)));
   if (lacks_fragments || lacks_colors)
-    throw Error(ErrorKind::usage, fmt::format("--show {}: the bundle has none; run `texbake {}` on it first",
+    throw Error(ErrorKind::usage, fmt::format("--show {}: the bundle has none; run \"texbake {}\" on it first",
                                               enum_name(show), lacks_fragments ? "fragment" : "convert"));
 }
 

@@ -8,7 +8,7 @@ namespace texbake {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& log) {
-  throw Error(ErrorKind::unsupported, fmt::format("OpenGL: the driver refuses {}: {}", what, log));
+  throw Error(ErrorKind::unsupported, fmt::format("OpenGL: the driver rejects {}: {}", what, log));
 }
 
 GLuint compiled(const GlFunctions& gl, GLenum stage, const std::string& text) {
@@ -100,7 +100,7 @@ void GlTarget::read(GLenum attachment, const GlFormat& format, void* pixels) con
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.ReadPixels(0, 0, width_, height_, format.format, format.type, pixels);
   if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR)
-    refuse("to read a target", fmt::format("error {:#x}", error));
+    refuse("reading a target", fmt::format("error {:#x}", error));
 }
 
 }  // namespace texbake

@@ -21,16 +21,16 @@ constexpr double kTurn_rad = M_PI / 8;
 constexpr float kRefine = 16;
 
 void check(const std::vector<HeightClick>& clicks, V2i size) {
-  if (clicks.empty()) throw Error(ErrorKind::bad_data, "expected one or more clicks, found none: give some heights");
+  if (clicks.empty()) throw Error(ErrorKind::bad_data, "expected at least one click, found none; give some heights");
   std::map<std::pair<int, int>, float> known;
   for (size_t i = 0; i < clicks.size(); ++i) {
     const HeightClick& click = clicks[i];
     const V2i p = click.texel;
     if (p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y)
-      throw Error(ErrorKind::bad_data, fmt::format("click {}: expected a texel of the {} x {} tile, found ({}, {})", i,
-                                                   size.x, size.y, p.x, p.y));
+      throw Error(ErrorKind::bad_data, fmt::format("click {}: expected a texel inside the {} x {} tile, found ({}, {})",
+                                                   i, size.x, size.y, p.x, p.y));
     if (!(click.height_01 >= 0.0f && click.height_01 <= 1.0f))
-      throw Error(ErrorKind::bad_data, fmt::format("click {} at ({}, {}): expected a height of 0 to 1, found {}", i,
+      throw Error(ErrorKind::bad_data, fmt::format("click {} at ({}, {}): expected a height from 0 to 1, found {}", i,
                                                    p.x, p.y, click.height_01));
     const auto [place, fresh] = known.try_emplace({p.y, p.x}, click.height_01);
     if (!fresh && place->second != click.height_01)

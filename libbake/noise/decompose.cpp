@@ -112,13 +112,12 @@ void measure(ImageView<const V3f> exemplar, NoiseSpace space, Decomposition& res
     result.mask_share.push_back(sum / static_cast<double>(mask.size()));
   }
   if (result.noise_share < kWeakNoise)
-    result.warnings.push_back(
-        fmt::format("the noise holds only {:.2g} of the exemplar's variance: one layer would do", result.noise_share));
+    result.warnings.push_back(fmt::format(
+        "the noise has only {:.2g} of the exemplar's variance: one layer would be enough", result.noise_share));
   if (result.result.coherence_drop > kStructureInNoise)
     result.warnings.push_back(
-        fmt::format("structure is left in the noise: the coherence of the synthesis is {:.3f} below the exemplar's "
-                    "(more than {:.2f} "
-                    "shows); {}",
+        fmt::format("structure is left in the noise: the coherence of the synthesis is {:.3f} below the exemplar's (a "
+                    "drop above {:.2f} is visible); {}",
                     result.result.coherence_drop, kStructureInNoise,
                     result.local_size.local_size > 2 ? "a smaller --local-size keeps more of it in the structure"
                                                      : "this exemplar's fine patterns are not random grain"));
@@ -140,9 +139,9 @@ void check_decompose(ImageView<const V3f> exemplar, const DecomposeOptions& opti
   check_options(options);
   const int smallest = options.local_size.value_or(kLocalSizes[0]);
   if (options.sharp_border_px > 0.0f && options.noises == kMaxNoises)
-    throw Error(ErrorKind::usage, fmt::format("--sharp-border takes one of the {} masks: expected --noises at most {}, "
-                                              "found {}",
-                                              kMaxNoises, kMaxNoises - 1, options.noises));
+    throw Error(ErrorKind::usage,
+                fmt::format("--sharp-border occupies one of the {} masks: expected --noises of at most {}, found {}",
+                            kMaxNoises, kMaxNoises - 1, options.noises));
   const Image<float> light = luminance_in(exemplar, options.space);
   for (const int size : {smallest, options.mask_size.value_or(smallest)})
     LocalSpectra(light, size);  // throws when it cannot be made

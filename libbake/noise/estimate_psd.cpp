@@ -162,13 +162,13 @@ std::vector<std::string> warnings_of(const std::vector<Noise>& noises, const Est
   for (size_t k = 0; k < noises.size(); ++k) {
     if (noises[k].spectrum_size() < options.spectrum_size)
       warnings.push_back(
-          fmt::format("noise {}: its mask has {} texels, too few for a spectrum of {} x {}; {} x {} is used", k,
+          fmt::format("noise {}: its mask has {} texels, too few for a spectrum of {} x {}; {} x {} is used instead", k,
                       noises[k].figures.texels, options.spectrum_size, options.spectrum_size, noises[k].spectrum_size(),
                       noises[k].spectrum_size()));
     if (noises[k].figures.used_share < 0.5)
       warnings.push_back(
-          fmt::format("noise {}: only {:.0f} % of its texels lie in windows that its mask covers to 70 %; "
-                      "--estimator autocovariance uses all",
+          fmt::format("noise {}: only {:.0f} % of its texels lie in windows that its mask covers to at least 70 %; "
+                      "--estimator autocovariance uses all of them",
                       k, 100.0 * noises[k].figures.used_share));
   }
   return warnings;

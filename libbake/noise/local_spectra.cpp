@@ -239,10 +239,9 @@ LocalSpectra::LocalSpectra(ImageView<const float> luminance, int local_size)
                     "use a smaller --local-size",
                     local_size, 2 * local_size, luminance.width(), luminance.height()));
   if (!(luminance_std_ > 1e-6))
-    throw Error(ErrorKind::infeasible,
-                fmt::format("the luminance of the exemplar is constant (standard deviation {:.2g}): there is no noise "
-                            "to separate; keep it in one layer",
-                            luminance_std_));
+    throw Error(ErrorKind::infeasible, fmt::format("the luminance of the exemplar is constant (standard deviation "
+                                                   "{:.2g}): there is no noise to separate; keep it as one layer",
+                                                   luminance_std_));
   bins_ = unique_bins(local_size);
 }
 

@@ -61,7 +61,7 @@ Error too_small(int64_t texels) {
   constexpr int kLeast = 4 * MaskedSpectrum::kSmallestSize * MaskedSpectrum::kSmallestSize;
   const std::string wanted =
       texels < kLeast ? fmt::format("at least {} texels in its mask, found {}", kLeast, texels)
-                      : fmt::format("{} pairs of neighbours in its mask, found less among {} scattered texels",
+                      : fmt::format("{} pairs of neighbors in its mask, found fewer among {} scattered texels",
                                     kLeastPairs, texels);
   return Error(ErrorKind::infeasible,
                fmt::format("the spectrum of a noise needs {}; ask for fewer noises or a larger exemplar", wanted));

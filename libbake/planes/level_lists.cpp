@@ -76,7 +76,7 @@ void check_count(const LevelLists& lists, int content_count) {
   const uint64_t values = lists.count * static_cast<uint64_t>(content_count);
   if (values > std::numeric_limits<uint32_t>::max())
     throw Error(ErrorKind::infeasible,
-                fmt::format("levels of detail: expected less than 2^32 values, found {}: {} shares of blocks with {} "
+                fmt::format("levels of detail: expected fewer than 2^32 values, found {}: {} block shares with {} "
                             "contents each; use a smaller tile or fewer contents",
                             values, lists.count, content_count));
 }

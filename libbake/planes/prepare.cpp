@@ -18,7 +18,7 @@ namespace {
 template <class Pixels>
 void check_size(const Pixels& pixels, V2i size, const std::string& what) {
   if (pixels.width() != size.x || pixels.height() != size.y)
-    throw Error(ErrorKind::bad_data, fmt::format("{}: expected {} x {} texels as in the base, found {} x {}", what,
+    throw Error(ErrorKind::bad_data, fmt::format("{}: expected {} x {} texels, as in the base, found {} x {}", what,
                                                  size.x, size.y, pixels.width(), pixels.height()));
 }
 

@@ -26,16 +26,19 @@ int log2_of(int n) { return std::countr_zero(static_cast<uint32_t>(n)); }
 void check_input(const NoiseInput& input, V2i size) {
   const size_t count = input.masks.size();
   if (count < 1 || count > kMaxNoises || input.tiles.size() != count)
-    throw Error(ErrorKind::bad_data, fmt::format("noise: expected 1 to {} masks and as many tiles, found {} and {}",
-                                                 kMaxNoises, count, input.tiles.size()));
+    throw Error(ErrorKind::bad_data,
+                fmt::format("noise: expected 1 to {} masks and the same number of tiles, found {} and {}", kMaxNoises,
+                            count, input.tiles.size()));
   for (const auto& mask : input.masks)
     if (mask.width() != size.x || mask.height() != size.y)
-      throw Error(ErrorKind::bad_data, fmt::format("masks: expected {} x {} texels as in the base, found {} x {}",
+      throw Error(ErrorKind::bad_data, fmt::format("masks: expected {} x {} texels, as in the base, found {} x {}",
                                                    size.x, size.y, mask.width(), mask.height()));
   for (const auto& tile : input.tiles)
     if (!same_size(tile, input.tiles.front()) || !is_power_of_two(tile.width()) || !is_power_of_two(tile.height()))
-      throw Error(ErrorKind::bad_data, fmt::format("noise tiles: expected one size, powers of two, found {} x {}",
-                                                   tile.width(), tile.height()));
+      throw Error(
+          ErrorKind::bad_data,
+          fmt::format("noise tiles: expected the same size for all, with sides that are powers of two, found {} x {}",
+                      tile.width(), tile.height()));
   if (input.row_step < 1 || input.row_step % 2 == 0)
     throw Error(ErrorKind::bad_data,
                 fmt::format("noise tiles: expected an odd step between rows, found {}", input.row_step));

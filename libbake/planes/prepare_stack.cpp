@@ -26,9 +26,9 @@ bool any_other_than_one(const std::vector<float>& list) {
 
 void check_list(const std::vector<float>& list, size_t classes, const char* what, const char* whose) {
   if (!list.empty() && list.size() != classes)
-    throw Error(ErrorKind::bad_data, fmt::format("{}: expected {} numbers, one for each colour class of the {} scale, "
-                                                 "found {}",
-                                                 what, classes, whose, list.size()));
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}: expected {} numbers, one for each color class of the {} scale, found {}", what,
+                            classes, whose, list.size()));
   for (const float x : list)
     if (!(x >= 0 && x <= 16)) throw Error(ErrorKind::bad_data, fmt::format("{}: expected 0 to 16, found {}", what, x));
 }
@@ -151,19 +151,18 @@ class StackBuilder {
 void check_transfer(const StackScale& coarse, const StackScale& fine) {
   const ScaleTransfer& transfer = *fine.transfer;
   if (transfer.ratio < 2 || transfer.ratio > kMaxRatio)
-    throw Error(ErrorKind::bad_data, fmt::format("ratio: expected 2 to {} fine texels along a coarse one, found {}",
+    throw Error(ErrorKind::bad_data, fmt::format("ratio: expected 2 to {} fine texels per coarse texel, found {}",
                                                  kMaxRatio, transfer.ratio));
   if (!fine.input.colors || (transfer.mode == TransferMode::fragment && !fine.input.fragments))
     throw Error(ErrorKind::bad_data,
-                "expected fragments in a scale that takes the colours of a coarser one, found none; run \"texbake "
-                "fragment\" on it before it is stacked");
+                "expected fragments in a scale that takes the colors of a coarser one, found none; run \"texbake "
+                "fragment\" on it before stacking");
   const V2i small = size_of(fine), large = size_of(coarse) * transfer.ratio;
   if (small.x > large.x || small.y > large.y)
-    throw Error(
-        ErrorKind::bad_data,
-        fmt::format("expected a fine tile no larger than the coarse one, {} x {} fine texels at ratio {}, found "
-                    "{} x {}: are the scales in the order coarse to fine?",
-                    large.x, large.y, transfer.ratio, small.x, small.y));
+    throw Error(ErrorKind::bad_data,
+                fmt::format("expected a fine tile no larger than the coarse one, which is {} x {} fine texels at ratio "
+                            "{}, found {} x {}; are the scales ordered coarse to fine?",
+                            large.x, large.y, transfer.ratio, small.x, small.y));
   check_list(transfer.weights, classes_of(fine), "weights", "fine");
   check_list(transfer.detail_gains, classes_of(fine), "detail gains", "fine");
   check_list(transfer.coarse_weights, classes_of(coarse), "coarse weights", "coarse");
@@ -175,7 +174,7 @@ StackPlanes prepare_stack(const std::vector<StackScale>& given) {
     throw Error(ErrorKind::bad_data, fmt::format("expected 1 to {} scales, found {}", kMaxScales, scales.size()));
   for (size_t s = 1; s < scales.size(); ++s) {
     if (scales[s - 1].input.noise)
-      throw Error(ErrorKind::bad_data, "expected noise in the finest scale alone, found it in a coarser one");
+      throw Error(ErrorKind::bad_data, "expected noise in the finest scale only, found it in a coarser one");
     check_transfer(scales[s - 1], scales[s]);
   }
   set_strengths(scales);

@@ -17,8 +17,8 @@ namespace {
 const Plane& heights_of(const EvaluatorPlanes& planes) {
   if (const Plane* heights = planes.map("height")) return *heights;
   throw Error(ErrorKind::usage,
-              "--relief: expected a height map in the coarsest scale, found none; give convert --map height=FILE, or "
-              "make one with \"texbake heightmap\"");
+              "--relief: expected a height map in the coarsest scale, found none; pass --map height=FILE to convert, "
+              "or make one with \"texbake heightmap\"");
 }
 
 const Plane& normals_of(const EvaluatorPlanes& planes) {

@@ -92,7 +92,7 @@ Image<V3f> seen_from_afar(ImageView<const V3f> base, const PatchMap& patches, co
 
 Sheet convert_sheet(ImageView<const V3f> exemplar, const ConvertOptions& options, const Progress& progress) {
   const Image<V3f> tile = reduce(exemplar, reduction_of(exemplar, kConvertSide));
-  Sheet sheet{"convert: dominant colours, and with their variation", 2, {}};
+  Sheet sheet{"convert: dominant colors only, and with their variation", 2, {}};
   sheet.cells.push_back({"the exemplar", beside(tile, tile)});
   ConvertOptions other = options;
   other.classes.reset();
@@ -115,7 +115,7 @@ Sheet fragment_sheet(const PrincipalVariation& colors, ImageView<const V3f> base
                      const Progress& progress) {
   const FragmentOptions resolved = resolve(options, colors);
   const int factor = reduction_of(base, kFragmentSide);
-  Sheet sheet{"fragment: contrast from row to row, areas from column to column", 3, {}};
+  Sheet sheet{"fragment: threshold varies by row, areas by column", 3, {}};
   for (const float contrast : {0.5f, 1.0f, 2.0f})
     for (const double size : {0.5, 1.0, 2.0}) {
       const FragmentOptions tried = scaled(resolved, contrast, size);
@@ -137,7 +137,8 @@ Sheet select_contents_sheet(const PrincipalVariation& colors, ImageView<const V3
   input.patches = &patches;
   const ReducedTile tile = reduced_tile(input, factor);
   const PrincipalVariation small = reduced_colors(colors, factor);
-  Sheet sheet{fmt::format("select-contents: number by row, seed by column ({} x {} tiles)", kTiles, kTiles), 3, {}};
+  Sheet sheet{
+      fmt::format("select-contents: count varies by row, seed by column ({} x {} tiles)", kTiles, kTiles), 3, {}};
   for (const int count : {std::max(options.count - 2, 1), options.count, options.count + 3})
     for (const uint32_t seed : {options.seed, options.seed + 1, options.seed + 2}) {
       SelectContentsOptions tried = options;

@@ -19,7 +19,7 @@ const char* title_of(Method method) {
     case Method::periodic:
       return "Periodic tiling";
     case Method::wang:
-      return "Wang tiles, 2 × 2 colours";
+      return "Wang tiles, 2 × 2 colors";
     case Method::hex:
       return "Hex tiling";
     default:
@@ -49,7 +49,7 @@ void measure_method_seams(const Scene& scene, V2i tiles, Method method, uint32_t
     case Method::hex:
       for (const Measure measure :
            {Measure::seam_auc, Measure::seam_tail, Measure::seam_auc_all, Measure::seam_tail_all, Measure::seam_run})
-        row[measure] = Measured::undefined("every texel blends three readings: there is no seam");
+        row[measure] = Measured::undefined("every texel blends three samples: there is no seam");
       return;
     default:
       return measure_seams(scene.luv, bundle_sources(scene.planes, tiles, seed), Adjacency::torus, row);

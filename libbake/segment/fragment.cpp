@@ -53,8 +53,9 @@ FragmentOptions resolve_sizes(FragmentOptions options, const PrincipalVariation&
   }
   if (!options.max_area_px) options.max_area_px = std::max(share_of(area, kMaxAreaShare, 16), *options.min_area_px);
   if (*options.min_area_px > *options.max_area_px)
-    throw Error(ErrorKind::usage, fmt::format("--min-area: expected at most --max-area, {} px, found {} px",
-                                              *options.max_area_px, *options.min_area_px));
+    throw Error(ErrorKind::usage,
+                fmt::format("--min-area: expected at most {} px, the value of --max-area, found {} px",
+                            *options.max_area_px, *options.min_area_px));
   return options;
 }
 
@@ -87,10 +88,11 @@ FragmentMap fragment(const PrincipalVariation& colors, ImageView<const V3f> base
   assert(same_size(colors.index, base) && same_size(colors.index, colors.variation));
   const V2i size(base.width(), base.height());
   if (size.x < 3 || size.y < 3)
-    throw Error(ErrorKind::infeasible,
-                fmt::format("expected a tile of at least 3 x 3 texels, found {} x {}: no fragment would be "
-                            "under half of it",
-                            size.x, size.y));
+    throw Error(
+        ErrorKind::infeasible,
+        fmt::format(
+            "expected a tile of at least 3 x 3 texels, found {} x {}: no fragment would be smaller than half of it",
+            size.x, size.y));
 
   FragmentOptions resolved = resolve_sizes(options, colors);
   const Decision decision = decide(colors, *resolved.denoise_px);

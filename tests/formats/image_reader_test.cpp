@@ -318,7 +318,7 @@ TEST_F(ImageReader, NegativeColoursBecomeZeroAndAreCounted) {
   const Picture picture = read_color(folder_ / "a.exr");
   EXPECT_EQ(picture.planes[0](0, 0), 0.0f);
   EXPECT_FALSE(std::signbit(picture.planes[2](0, 0)));
-  EXPECT_THAT(picture.notes, ElementsAre(HasSubstr("2 negative colour values")));
+  EXPECT_THAT(picture.notes, ElementsAre(HasSubstr("2 negative color values")));
 }
 
 TEST_F(ImageReader, NanAndInfinityAreRefusedWithCountAndFirstTexel) {
@@ -357,7 +357,7 @@ TEST_F(ImageReader, WhatCannotBeOpenedIsAnIoError) {
   EXPECT_THAT(words_of("missing.png"), HasSubstr("no such file"));
   EXPECT_THAT(words_of("missing/a.png"), HasSubstr("no such file"));
   EXPECT_THAT(words_of("d.png"), HasSubstr("found a directory"));
-  EXPECT_THAT(words_of("rock.texbundle"), HasSubstr("a bundle is an input of other verbs"));
+  EXPECT_THAT(words_of("rock.texbundle"), HasSubstr("a bundle is the input of other verbs"));
   EXPECT_THAT(words_of("pipe.png"), HasSubstr("pipe"));
   if (::geteuid() != 0) {
     EXPECT_THAT(words_of("locked.png"), HasSubstr("Permission denied"));
@@ -411,7 +411,7 @@ TEST_F(ImageReader, DamagedTexelsAreBadData) {
     write_bytes(folder_ / name, bytes);
     const Refusal found = refusal(folder_ / name);
     EXPECT_EQ(found.kind, ErrorKind::bad_data) << name;
-    EXPECT_THAT(found.words, HasSubstr("cut off or damaged"));
+    EXPECT_THAT(found.words, HasSubstr("truncated or damaged"));
   }
 }
 
@@ -421,7 +421,7 @@ TEST_F(ImageReader, LyingHeaderIsRefusedBeforeMemoryIsTaken) {
   write_bytes(folder_ / "lie.png", png_bytes(parts));  // 3 GB of floats, were they taken
   const Refusal found = refusal(folder_ / "lie.png");
   EXPECT_EQ(found.kind, ErrorKind::bad_data);
-  EXPECT_THAT(found.words, HasSubstr("cut off or damaged"));
+  EXPECT_THAT(found.words, HasSubstr("truncated or damaged"));
 }
 
 TEST_F(ImageReader, TooWideIsRefusedWithTheLimit) {

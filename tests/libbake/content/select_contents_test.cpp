@@ -108,7 +108,7 @@ TEST(SelectContents, ATileWithoutRoomForTheContentsIsRefusedWithNumbers) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::infeasible);
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("expected 4 translations 64 px apart"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("expected 4 translations at least 64 px apart"));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("the tile has 3"));
   }
   options.count = 4;

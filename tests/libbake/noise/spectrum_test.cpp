@@ -120,7 +120,7 @@ TEST(MaskedSpectrum, SaysWhetherAMaskIsSmallOrScattered) {
   for (int y = 0; y < 64; ++y)
     for (int x = y % 2; x < 64; x += 2) scattered(x, y) = 1;  // no two beside each other
   EXPECT_THAT(message(few), testing::HasSubstr("at least 64 texels in its mask, found 1;"));
-  EXPECT_THAT(message(scattered), testing::HasSubstr("64 pairs of neighbours in its mask"));
+  EXPECT_THAT(message(scattered), testing::HasSubstr("64 pairs of neighbors in its mask"));
 }
 
 TEST(LatticeSpectrum, KeepsPowerAndShape) {
