@@ -1,8 +1,6 @@
 #include "bake/bake_request.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 
 #include "bake/option_json.h"
@@ -80,11 +78,8 @@ Json file_json(const Source& source) {
 
 Json parsed_file(const std::string& path) {
   check_input_file(path);
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw Error(ErrorKind::io, path + ": cannot be read");
   IssueLog log(path, IssueLog::OnError::throw_first);
-  return parse_json(text, log);
+  return parse_json(file_bytes(path), log);
 }
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {

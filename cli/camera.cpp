@@ -2,9 +2,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "bake/option_json.h"
+#include "formats/input_file.h"
 #include "libbake/base/suggestion.h"
 
 namespace texbake {
@@ -63,11 +63,10 @@ Json parsed(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error))
     throw Error(ErrorKind::io, fmt::format("{}: expected a camera file, found a folder", path));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw Error(ErrorKind::io, fmt::format("{}: expected a camera file, found none that can be read", path));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!std::ifstream(path))
+    throw Error(ErrorKind::io, fmt::format("{}: expected a camera file, found none that can be read", path));
   IssueLog log(path, IssueLog::OnError::throw_first);
-  return parse_json(text, log);
+  return parse_json(file_bytes(path), log);
 }
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace texbake {
 namespace {
 
-Json vector_json(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
-
 /// The fields of a scale that are present, in the order of the design's list of words.
 class FieldList {
  public:

@@ -57,7 +57,6 @@ void write_difference(const std::string& path, const Image<V3f>& expected, const
 }
 
 std::string text(const V3f& value) { return fmt::format("({}, {}, {})", value.x, value.y, value.z); }
-Json json_of(const V3f& value) { return {json_number(value.x), json_number(value.y), json_number(value.z)}; }
 
 /// The frame beside the reference, in light and in steps of its samples.
 struct Finding {
@@ -95,8 +94,8 @@ Json json_of(const Finding& finding, const FrameRequest& request) {
                {"meanDifference", c.mean_difference}};
   if (const auto& worst = c.worst)
     json["worst"] = {{"pixel", {worst->x, worst->y}},
-                     {"expected", json_of(finding.expected(worst->x, worst->y))},
-                     {"found", json_of(finding.frame.values(worst->x, worst->y))},
+                     {"expected", vector_json(finding.expected(worst->x, worst->y))},
+                     {"found", vector_json(finding.frame.values(worst->x, worst->y))},
                      {"difference", json_number(worst->difference)}};
   if (!request.difference.empty()) json["difference"] = request.difference;
   return json;

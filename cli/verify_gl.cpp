@@ -34,8 +34,6 @@ Json json_of(const Place& place) {
 
 std::string text(const V3f& value) { return fmt::format("({}, {}, {})", value.x, value.y, value.z); }
 
-Json json_of(const V3f& value) { return {json_number(value.x), json_number(value.y), json_number(value.z)}; }
-
 std::string text(const PixelDecision& decision) {
   return fmt::format("patch {} content {} source ({}, {})", decision.patch_idx, decision.content, decision.source_x,
                      decision.source_y);
@@ -99,8 +97,8 @@ Json json_of(const LanguageParity& parity, V2i tile_size) {
   if (const auto& worst = report.worst) {
     json["worst"] = json_of(Place{tile_size, worst->window, {worst->pixel.x, worst->pixel.y}});
     json["worst"].update({{"plane", worst->plane},
-                          {"expected", json_of(worst->pixel.expected)},
-                          {"found", json_of(worst->pixel.found)}});
+                          {"expected", vector_json(worst->pixel.expected)},
+                          {"found", vector_json(worst->pixel.found)}});
   }
   return json;
 }

@@ -5,8 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "formats/click_picture.h"
 #include "formats/input_file.h"
@@ -98,9 +96,7 @@ std::vector<HeightClick> clicks_of_csv(std::string_view text, const std::string&
 ClickFile read_clicks(const std::string& path) {
   check_input_file(path);
   const std::filesystem::path file_path(path);
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw Error(ErrorKind::io, path + ": cannot be read");
+  const std::string bytes = file_bytes(path);
 
   const std::string extension = file_path.extension().string();
   ClickFile file;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "libbake/base/error.h"
@@ -33,6 +34,12 @@ void check_input_file(const std::string& path) {
     throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   if (fs::file_size(path, error) == 0)
     throw Error(ErrorKind::bad_data, fmt::format("{}: expected an image, found an empty file (0 bytes)", path));
+}
+
+std::string file_bytes(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace texbake

@@ -1,4 +1,4 @@
-// Says what is wrong with the path of an input before a decoder sees it.
+// Says what is wrong with the path of an input before a decoder sees it, and reads what is text.
 #pragma once
 
 #include <string>
@@ -7,5 +7,8 @@ namespace texbake {
 
 /// Throws Error(io) unless `path` is a regular file that can be opened for reading, Error(bad_data) when it is empty.
 void check_input_file(const std::string& path);
+
+/// The bytes of the file at `path`. Throws Error(io).
+std::string file_bytes(const std::string& path);
 
 }  // namespace texbake

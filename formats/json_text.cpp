@@ -111,6 +111,8 @@ Json json_number(float value) {
   return static_cast<float>(number) == value ? number : static_cast<double>(value);
 }
 
+Json vector_json(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
+
 Json parse_json(std::string_view text, IssueLog& log) {
   StrictWatch watch;
   try {

@@ -11,6 +11,8 @@ namespace texbake {
 
 /// The value that prints as the shortest decimal which reads back as `value`: 0.1f as 0.1, not 0.10000000149011612.
 Json json_number(float value);
+/// The same of each component, in an array.
+Json vector_json(const V3f& vector);
 
 /// `text` as a value. Reports json_syntax, json_too_deep and json_duplicate_key, and then returns null.
 Json parse_json(std::string_view text, IssueLog& log);

@@ -17,7 +17,6 @@ namespace {
 constexpr const char* kGenerator = "texbake " TEXBAKE_VERSION;
 
 Json json_of(V2i v) { return Json::array({v.x, v.y}); }
-Json json_of(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
 
 Json planes_json(const PlaneRefs& refs) {
   Json planes = Json::object();
@@ -43,7 +42,7 @@ Json maps_json(const std::vector<Map>& maps, const PlaneRefs& refs) {
 Json palette_json(const Palette& palette) {
   Json list = Json::array();
   for (const ColorClass& color : palette.classes)
-    list.push_back({{"dominant", json_of(color.dominant)}, {"variation", json_of(color.variation)}});
+    list.push_back({{"dominant", vector_json(color.dominant)}, {"variation", vector_json(color.variation)}});
   return list;
 }
 
@@ -76,7 +75,7 @@ Json scale_json(const Scale& scale, const PlaneRefs& refs) {
   if (scale.tile_from_source) json["tileFromSource"] = json_of(*scale.tile_from_source);
   json["planes"] = planes_json(refs);
   if (!scale.maps.empty()) json["maps"] = maps_json(scale.maps, refs);
-  json["mean"] = json_of(mean_color(scale.base()));
+  json["mean"] = vector_json(mean_color(scale.base()));
   if (scale.colors) json["palette"] = palette_json(scale.colors->palette);
   if (scale.fragments) json["fragments"] = {{"count", scale.fragments->fragments.size()}};
   if (scale.patches) json["patches"] = patches_json(scale.patches->partition);

@@ -10,7 +10,6 @@ namespace {
 
 constexpr const char* kPointer = "/noise";
 
-Json json_of(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
 V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
 
 /// Lobes are rounded to 20 significant bits: a float holds them.
@@ -41,8 +40,8 @@ Json channel_json(const NoiseChannel& channel) {
 Json one_noise_json(const Noise& noise, const PlaneRef& spectrum, const PlaneRef& tile) {
   Json channels = Json::array(), axes = Json::array();
   for (const NoiseChannel& channel : noise.channels) channels.push_back(channel_json(channel));
-  for (const V3f& axis : noise.basis.axis) axes.push_back(json_of(axis));
-  return {{"mean", json_of(noise.basis.mean)},
+  for (const V3f& axis : noise.basis.axis) axes.push_back(vector_json(axis));
+  return {{"mean", vector_json(noise.basis.mean)},
           {"axes", axes},
           {"spectrumSize", noise.spectrum_size()},
           {"spectrum", plane_json(spectrum)},

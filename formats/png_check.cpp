@@ -1,9 +1,9 @@
 #include "formats/png_check.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdint>
 #include <fstream>
@@ -15,20 +15,8 @@ namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
-// CRC-32 of one byte, for every byte.
-constexpr std::array<uint32_t, 256> kCrcOfByte = [] {
-  std::array<uint32_t, 256> table{};
-  for (uint32_t byte = 0; byte < 256; ++byte) {
-    uint32_t crc = byte;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) ? 0xEDB88320u : 0);
-    table[byte] = crc;
-  }
-  return table;
-}();
-
 uint32_t add_crc(uint32_t crc, const char* bytes, size_t count) {
-  for (size_t i = 0; i < count; ++i) crc = kCrcOfByte[(crc ^ static_cast<uint8_t>(bytes[i])) & 255] ^ (crc >> 8);
-  return crc;
+  return static_cast<uint32_t>(crc32(crc, reinterpret_cast<const Bytef*>(bytes), static_cast<uInt>(count)));
 }
 
 uint32_t big_endian(const char* bytes) {
@@ -45,14 +33,14 @@ bool read_exactly(std::istream& file, char* bytes, size_t count) {
 // Checksum of the next `length` bytes, begun with the chunk's name; nothing when the file ends before.
 std::optional<uint32_t> crc_of_chunk(std::istream& file, std::string_view name, uint32_t length) {
   std::vector<char> block(std::min<size_t>(length, size_t{1} << 16));
-  uint32_t crc = add_crc(0xFFFFFFFFu, name.data(), name.size());
+  uint32_t crc = add_crc(0, name.data(), name.size());
   while (length > 0) {
     const size_t count = std::min<size_t>(length, block.size());
     if (!read_exactly(file, block.data(), count)) return std::nullopt;
     crc = add_crc(crc, block.data(), count);
     length -= static_cast<uint32_t>(count);
   }
-  return ~crc;
+  return crc;
 }
 
 }  // namespace

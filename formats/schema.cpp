@@ -32,25 +32,17 @@ const valijson::Schema& compiled_schema() {
 }
 
 /// The steps "<root>", "[scales]", "[0]" as the pointer /scales/0.
-std::string pointer_of(const std::vector<std::string>& context) {
-  std::string pointer;
-  for (const std::string& step : context) {
-    if (step.size() < 2 || step.front() != '[') continue;
-    pointer += '/';
-    for (const char c : step.substr(1, step.size() - 2))
-      if (c == '~' || c == '/')
-        pointer += c == '~' ? "~0" : "~1";
-      else
-        pointer += c;
-  }
+Json::json_pointer pointer_of(const std::vector<std::string>& context) {
+  Json::json_pointer pointer;
+  for (const std::string& step : context)
+    if (step.size() >= 2 && step.front() == '[') pointer.push_back(step.substr(1, step.size() - 2));
   return pointer;
 }
 
 /// The value at `pointer`, cut to what fits into a message.
-std::string shown(const Json& manifest, const std::string& pointer) {
-  const Json::json_pointer at(pointer);
-  if (!manifest.contains(at)) return "nothing";
-  const std::string found = compact_json(manifest.at(at));
+std::string shown(const Json& manifest, const Json::json_pointer& pointer) {
+  if (!manifest.contains(pointer)) return "nothing";
+  const std::string found = compact_json(manifest.at(pointer));
   return found.size() <= kMaxShown ? found : fmt::format("{}...", found.substr(0, kMaxShown));
 }
 
@@ -66,13 +58,14 @@ void check_schema(const Json& manifest, IssueLog& log) {
   size_t reported = 0;
   std::set<std::pair<std::string, std::string>> seen;
   for (const auto& error : results) {
-    const std::string pointer = pointer_of(error.context);
+    const Json::json_pointer at = pointer_of(error.context);
+    const std::string pointer = at.to_string();
     if (is_wrapper(error.description) || !seen.insert({pointer, error.description}).second) continue;
     if (++reported > kMaxReported) return;
     log.add({IssueId::schema_violation,
              {.pointer = pointer, .file = pointer.empty() ? kManifestFile : ""},
              fmt::format("expected what bundle.schema.json allows ({}), found {}", error.description,
-                         shown(manifest, pointer))});
+                         shown(manifest, at))});
   }
   if (reported == 0)
     log.add({IssueId::schema_violation, {.file = kManifestFile}, "expected what bundle.schema.json allows"});

@@ -24,11 +24,11 @@ Json countable_figures(const std::string& verb, const Scale& scale) {
   return Json::object();
 }
 
-void find_nulls(const Json& json, const std::string& pointer, IssueLog& log) {
+void find_nulls(const Json& json, const Json::json_pointer& pointer, IssueLog& log) {
   if (json.is_null())
-    log.add({IssueId::figure_implausible, {.pointer = pointer}, "expected a finite number, found null"});
+    log.add({IssueId::figure_implausible, {.pointer = pointer.to_string()}, "expected a finite number, found null"});
   if (!json.is_structured()) return;
-  for (const auto& [key, value] : json.items()) find_nulls(value, pointer + "/" + key, log);
+  for (const auto& [key, value] : json.items()) find_nulls(value, pointer / key, log);
 }
 
 void check_counts(const Stage& stage, const Scale& scale, const std::string& pointer, IssueLog& log) {
@@ -82,7 +82,7 @@ void check_stages(const Bundle& bundle, IssueLog& log) {
 void check_figures(const Bundle& bundle, IssueLog& log) {
   for (size_t i = 0; i < bundle.stages.size(); ++i) {
     const std::string pointer = fmt::format("/stages/{}/figures", i);
-    find_nulls(bundle.stages[i].figures, pointer, log);
+    find_nulls(bundle.stages[i].figures, Json::json_pointer(pointer), log);
     for (const Scale& scale : bundle.scales)
       if (bundle.scales.size() == 1 || bundle.stages[i].scale == scale.name)
         check_counts(bundle.stages[i], scale, pointer, log);

@@ -56,7 +56,8 @@ only() {
 }
 only 'OpenImageIO/' formats/click_picture.cpp formats/image_reader.cpp formats/image_writer.cpp formats/picture_bytes.cpp
 only 'OpenEXR/' formats/exr_planes.cpp
-only 'openssl/' formats/sha256.cpp
+only 'openssl/' formats/base64.cpp formats/sha256.cpp
+only 'zlib.h' formats/png_check.cpp
 only 'opencv2/' libbake/base/fft.cpp libbake/report/sheet.cpp
 only 'ceres/' libbake/noise/lobes.cpp
 only 'flann/' libbake/height/nearest_clicks.cpp libbake/quality/structure_distance.cpp
