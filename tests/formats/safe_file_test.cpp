@@ -1,10 +1,14 @@
 #include "formats/safe_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 
 #include "libbake/base/error.h"
@@ -14,6 +18,52 @@ namespace texbake {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What is told of the calls that bring bytes and names to the disk, in this program, while it lives.
+class DiskWatch {
+ public:
+  DiskWatch() { current = this; }
+  ~DiskWatch() { current = nullptr; }
+  DiskWatch(const DiskWatch&) = delete;
+  DiskWatch& operator=(const DiskWatch&) = delete;
+
+  static inline DiskWatch* current = nullptr;
+  std::vector<std::string> calls;  ///< "sync PATH (BYTES)", "sync PATH/", "rename PATH"
+  std::string fails;               ///< a call that begins like this fails; "": none
+};
+
+/// Notes the call; false where it is to fail.
+bool note_call(const std::string& call) {
+  DiskWatch* watch = DiskWatch::current;
+  if (!watch) return true;
+  watch->calls.push_back(call);
+  if (watch->fails.empty() || !call.starts_with(watch->fails)) return true;
+  errno = EIO;
+  return false;
+}
+
+std::string sync_text(int descriptor) {
+  std::error_code ignored;
+  const fs::path path = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor), ignored);
+  if (fs::is_directory(path, ignored)) return "sync " + path.string() + "/";
+  return "sync " + path.string() + " (" + std::to_string(fs::file_size(path, ignored)) + ")";
+}
+
+}  // namespace
+}  // namespace texbake
+
+// The program's own, in place of the C library's: they note the call and make it.
+extern "C" int fsync(int descriptor) {
+  if (!texbake::note_call(texbake::sync_text(descriptor))) return -1;
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
+extern "C" int rename(const char* from, const char* to) noexcept {
+  if (!texbake::note_call(std::string("rename ") + to)) return -1;
+  return static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0u));
+}
+
+namespace texbake {
+namespace {
 
 /// No file may grow beyond `bytes` while this lives: what a full disk looks like to the writer.
 class FileSizeLimit {
@@ -51,6 +101,65 @@ TEST(SafeFile, TheNameShowsTheOldContentUntilCommit) {
   file.commit();
   EXPECT_EQ(file_text(folder / "a"), "new");
   EXPECT_EQ(folder_contents(folder.path()).size(), 1u);
+}
+
+/// The call without the path of `folder`.
+std::string without_folder(const std::string& call, const fs::path& folder) {
+  const size_t at = call.find(folder.string());
+  return at == std::string::npos ? call : call.substr(0, at) + call.substr(at + folder.string().size());
+}
+
+TEST(SafeFile, BytesAreOnTheDiskBeforeTheirNameAndTheNameBeforeCommitReturns) {
+  const TemporaryFolder folder;
+  DiskWatch watch;
+  SafeFile file(folder / "a");
+  const std::string temporary = file.temporary_path().filename().string();
+  file.write(std::string(5000, 'x'));
+  file.commit();
+  std::vector<std::string> calls;
+  for (const std::string& call : watch.calls) calls.push_back(without_folder(call, folder.path()));
+  EXPECT_THAT(calls, testing::ElementsAre("sync /" + temporary + " (5000)", "rename /a", "sync /"));
+}
+
+TEST(SafeFile, BytesThatDoNotReachTheDiskAreAnIoErrorThatLeavesTheOldFile) {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "old");
+  {
+    DiskWatch watch;
+    watch.fails = "sync ";
+    expect_io_error([&] {
+      SafeFile file(folder / "a");
+      file.write("new");
+      file.commit();
+    });
+    EXPECT_EQ(watch.calls.size(), 1u) << "nothing is named that is not there";
+  }
+  EXPECT_EQ(folder_contents(folder.path()), (std::map<std::string, std::string>{{"a", "old"}}));
+}
+
+TEST(SafeFile, ANameThatDoesNotReachTheDiskIsAnIoError) {
+  const TemporaryFolder folder;
+  DiskWatch watch;
+  watch.fails = "sync " + folder.path().string() + "/";
+  expect_io_error([&] { sync_folder(folder.path()); });
+}
+
+TEST(SafeFile, ANewBundleIsOnTheDiskBeforeItHasItsName) {
+  const TemporaryFolder folder;
+  DiskWatch watch;
+  write_bundle(bundle_with_everything(), folder / "a.texbundle");
+  std::vector<std::string> named;  // since the last sync of a folder
+  std::string synced;
+  for (const std::string& call : watch.calls) {
+    if (call.starts_with("rename ")) named.push_back(call.substr(7));
+    if (call.ends_with("/")) named.clear(), synced = call.substr(5);
+    if (call == "rename " + (folder / "a.texbundle").string()) {
+      EXPECT_EQ(named.size(), 1u) << "every file in the folder was brought to the disk before";
+      EXPECT_THAT(synced, testing::HasSubstr("/.a.texbundle.texbake-tmp-"));
+    }
+  }
+  EXPECT_THAT(named, testing::IsEmpty());
+  EXPECT_EQ(synced, folder.path().string() + "/");
 }
 
 TEST(SafeFile, WithoutCommitNothingStays) {
