@@ -55,8 +55,8 @@ Json asked_stages(const Bundle& bundle) {
 }
 
 /// The sources of `request` as they are on the disk now.
-std::vector<Source> current_sources(const BakeRequest& request) {
-  std::vector<Source> sources;
+std::vector<SourceFile> current_sources(const BakeRequest& request) {
+  std::vector<SourceFile> sources;
   const auto add = [&](const MaterialFile& file) {
     check_input_file(file.file);
     sources.push_back({file.name, fs::path(file.file).filename().string(), sha256_file(file.file), 0});
@@ -66,13 +66,13 @@ std::vector<Source> current_sources(const BakeRequest& request) {
   return sources;
 }
 
-bool same_sources(const std::vector<Source>& a, const std::vector<Source>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Source& x, const Source& y) {
+bool same_sources(const std::vector<SourceFile>& a, const std::vector<SourceFile>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const SourceFile& x, const SourceFile& y) {
     return x.role == y.role && x.name == y.name && x.sha256 == y.sha256;
   });
 }
 
-Json file_json(const Source& source) {
+Json file_json(const SourceFile& source) {
   return {{"name", source.role}, {"file", source.name}, {"sha256", source.sha256}};
 }
 
@@ -148,7 +148,7 @@ Json recipe_of(const Bundle& bundle) {
   Json recipe;
   recipe["asset"] = {{"kind", kRecipeKind}, {"version", kRecipeVersion}};
   recipe["files"] = Json::array();
-  for (const Source& source : bundle.sources) recipe["files"].push_back(file_json(source));
+  for (const SourceFile& source : bundle.sources) recipe["files"].push_back(file_json(source));
   recipe["stages"] = stages;
   return recipe;
 }
@@ -181,7 +181,7 @@ BakeRequest read_recipe(const std::string& path) {
 }
 
 bool is_up_to_date(const std::string& path, const BakeRequest& request) {
-  const std::vector<Source> sources = current_sources(request);
+  const std::vector<SourceFile> sources = current_sources(request);
   if (!fs::exists(path)) return false;
   IssueLog log(path, IssueLog::OnError::collect);
   const LoadedBundle loaded = load_bundle(path, {}, log);

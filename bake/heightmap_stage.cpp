@@ -57,7 +57,7 @@ void tell(const Heightmap& map, size_t clicks, Listener& listener) {
 }
 
 void replace_source(Bundle& bundle, const ClickFile& file) {
-  std::erase_if(bundle.sources, [](const Source& source) { return source.role == kClicksRole; });
+  std::erase_if(bundle.sources, [](const SourceFile& source) { return source.role == kClicksRole; });
   bundle.sources.push_back({kClicksRole, file.name, file.sha256, file.size_bytes});
 }
 

@@ -86,7 +86,7 @@ Image<float> height_tile(const TilePlan& plan, const Picture& picture) {
   return apply(plan, picture.planes[0]);
 }
 
-Source source_of(const std::string& role, const Picture& picture) {
+SourceFile source_of(const std::string& role, const Picture& picture) {
   return {role, picture.name, picture.sha256, picture.size_bytes};
 }
 

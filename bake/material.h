@@ -73,6 +73,6 @@ Map map_tile(const TilePlan& plan, const std::string& name, const Picture& pictu
 Image<float> height_tile(const TilePlan& plan, const Picture& picture);
 
 /// A file as the bundle's list of sources names it.
-Source source_of(const std::string& role, const Picture& picture);
+SourceFile source_of(const std::string& role, const Picture& picture);
 
 }  // namespace texbake

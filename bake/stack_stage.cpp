@@ -87,7 +87,7 @@ void add_scale(Bundle& stack, NamedBundle& named, const std::string& name) {
   merge(stack.extensions, bundle.extensions, named.path);
   merge(stack.unknown, bundle.unknown, named.path);
   if (!bundle.extras.empty()) stack.extras[name] = std::move(bundle.extras);
-  for (Source& source : bundle.sources) {
+  for (SourceFile& source : bundle.sources) {
     source.scale = name;
     stack.sources.push_back(std::move(source));
   }

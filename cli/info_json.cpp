@@ -153,7 +153,7 @@ Json info_json(const Bundle& bundle) {
     info[list].push_back(std::move(json));
   };
   info["sources"] = Json::array();
-  for (const Source& source : bundle.sources)
+  for (const SourceFile& source : bundle.sources)
     add("sources",
         {{"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}},
         source.scale);

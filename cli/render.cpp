@@ -143,7 +143,7 @@ void stream(const std::string& path, const PictureFormat& format, const DrawRows
   for (int row = 0; row < format.height; row += strip) {
     const int end = std::min(format.height, row + strip);
     writer.write_rows(draw_rows(row, end).view());
-    report(progress, static_cast<double>(end) / format.height);
+    report_progress(progress, static_cast<double>(end) / format.height);
   }
   writer.close();
   console.finish_step();

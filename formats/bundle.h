@@ -60,7 +60,7 @@ struct Scale {
 inline constexpr const char* kClicksRole = "clicks";  ///< of the heights that heightmap was given
 
 /// A file that went into the bundle.
-struct Source {
+struct SourceFile {
   std::string role;  ///< "color", the name of a map, or kClicksRole
   std::string name;  ///< base name, no folder
   std::string sha256;
@@ -82,7 +82,7 @@ struct Stage {
 struct Bundle {
   std::vector<Scale> scales;        ///< coarse to fine
   std::optional<NoiseModel> noise;  ///< one for each mask of the finest scale; figures and warnings are not stored
-  std::vector<Source> sources;
+  std::vector<SourceFile> sources;
   std::vector<Stage> stages;
   Json extensions = Json::object();
   Json extras = Json::object();

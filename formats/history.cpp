@@ -71,14 +71,14 @@ std::string members_hash(const Json& scales, const Stage& stage, const std::vect
   return sha256(compact_json(parts));
 }
 
-std::string input_hash(const Json& scales, const std::vector<Source>& sources, const std::vector<Stage>& stages,
+std::string input_hash(const Json& scales, const std::vector<SourceFile>& sources, const std::vector<Stage>& stages,
                        size_t at) {
   const Stage& stage = stages[at];
   const StageRow* row = find_row(stage.verb);
   if (!row) return stage.input;
   if (row != &first_stage()) return members_hash(scales, stage, row->reads);
   std::string lines;
-  for (const Source& source : sources)
+  for (const SourceFile& source : sources)
     if (source.scale == stage.scale && source.role != kClicksRole)
       lines += fmt::format("{} {}\n", source.role, source.sha256);
   return sha256(lines);

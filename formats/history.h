@@ -19,7 +19,7 @@ Json history_json(const StateJson& state);
 std::string members_hash(const Json& scales, const Stage& stage, const std::vector<std::string>& members);
 
 /// What stage `at` read, as it is in the bundle now. convert reads the sources of its scale.
-std::string input_hash(const Json& scales, const std::vector<Source>& sources, const std::vector<Stage>& stages,
+std::string input_hash(const Json& scales, const std::vector<SourceFile>& sources, const std::vector<Stage>& stages,
                        size_t at);
 /// What is still its own, as it is in the bundle now.
 std::string output_hash(const Json& scales, const std::vector<Stage>& stages, size_t at);

@@ -98,7 +98,7 @@ Json stage_json(const Stage& stage) {
   return json;
 }
 
-Json source_json(const Source& source) {
+Json source_json(const SourceFile& source) {
   Json json = {
       {"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}};
   if (!source.scale.empty()) json["scale"] = source.scale;
@@ -131,7 +131,7 @@ Json manifest_json(const Bundle& bundle, const StateJson& state) {
                {"scales", state.scales}};
   if (!state.noise.is_null()) json["noise"] = state.noise;
   json["sources"] = Json::array();
-  for (const Source& source : bundle.sources) json["sources"].push_back(source_json(source));
+  for (const SourceFile& source : bundle.sources) json["sources"].push_back(source_json(source));
   json["stages"] = Json::array();
   for (const Stage& stage : bundle.stages) json["stages"].push_back(stage_json(stage));
   if (!bundle.extensions.empty()) json["extensions"] = bundle.extensions;

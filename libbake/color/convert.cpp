@@ -159,14 +159,14 @@ Conversion convert(ImageView<const V3f> exemplar, ImageView<const float> height_
 
   // Choose K and a start on few texels, refine the classes on more.
   std::vector<ColorLine> lines = start_lines(source, options, distinct);
-  report(progress, 0.4);
+  report_progress(progress, 0.4);
   const PointSet points = sample_with_rare_colors(source, kRefineTexels, distinct);
   LineKMeansOptions refinement = kRefinement;
   refinement.along_weight = options.along_weight;
   Conversion result{.colors = {}, .error = {}, .effective = options};
   result.effective.classes = static_cast<int>(lines.size());
   lines = line_kmeans(points, std::move(lines), refinement).lines;
-  report(progress, 0.7);
+  report_progress(progress, 0.7);
 
   // Assign all texels; mean and principal axis of each class are its entry in the palette.
   PrincipalVariation& colors = result.colors;
@@ -176,11 +176,11 @@ Conversion convert(ImageView<const V3f> exemplar, ImageView<const float> height_
   std::vector<uint8_t> place;
   colors.palette = ordered_palette(moments, place);
   for (uint8_t& index : colors.index) index = place[index];
-  report(progress, 0.9);
+  report_progress(progress, 0.9);
 
   // The coordinate along the line, and what is lost.
   result.error = color_error(project_texels(source, colors));
-  report(progress, 1);
+  report_progress(progress, 1);
   return result;
 }
 

@@ -72,7 +72,7 @@ class Rounds {
         learn_limits();
         learnt = begin;
       }
-      if (attempts_ == 0) report(progress, static_cast<double>(begin) / static_cast<double>(tasks.size()));
+      if (attempts_ == 0) report_progress(progress, static_cast<double>(begin) / static_cast<double>(tasks.size()));
     }
     take_all();
   }

@@ -83,7 +83,7 @@ SearchResult search_contents_refined(ImageView<const uint8_t> classes, const Cla
   const SearchRequest small_request{static_cast<int>(small_classes.size()),
                                     std::max(request.separation_px / (kFinerSeparation * factor), 1)};
   SearchResult small = search_contents(small_classes, distances, patch_borders(small_patches, patch_count),
-                                       small_request, [&](double done) { report(progress, 0.5 * done); });
+                                       small_request, [&](double done) { report_progress(progress, 0.5 * done); });
 
   // Rank what lies around the best again, exactly.
   const V2i small_size(small_classes.width(), small_classes.height());
@@ -94,7 +94,7 @@ SearchResult search_contents_refined(ImageView<const uint8_t> classes, const Cla
     reachable.count = std::min(reachable.count, reachable_count(candidates, factor, size, request));
   SearchResult result = GroupSearch(classes, distances, borders)
                             .run(neighbourhoods(small.candidates, factor, size), reachable,
-                                 [&](double done) { report(progress, 0.5 + 0.5 * done); });
+                                 [&](double done) { report_progress(progress, 0.5 + 0.5 * done); });
   result.error_count += small.error_count;
   result.all_error_count = 0;
   for (const size_t texels : borders.texel_counts) result.all_error_count += texels * classes.size();

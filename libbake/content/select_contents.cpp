@@ -10,9 +10,9 @@
 #include "libbake/content/choice_figures.h"
 #include "libbake/content/content_classes.h"
 #include "libbake/content/content_search.h"
-#include "libbake/content/lattice.h"
 #include "libbake/content/pair_impact.h"
 #include "libbake/content/refined_search.h"
+#include "libbake/content/translation_lattice.h"
 #include "libbake/content/turned_search.h"
 
 namespace texbake {
@@ -47,8 +47,8 @@ int automatic_soft_border(int side) {
 constexpr int kLatticeRadius = 2;
 
 SearchResult search(const ContentClasses& classes, const ClassDistances& distances, const Partition& patches,
-                    const Turns& turns, const std::optional<Lattice>& lattice, const SelectContentsOptions& options,
-                    const Progress& progress) {
+                    const Turns& turns, const std::optional<TranslationLattice>& lattice,
+                    const SelectContentsOptions& options, const Progress& progress) {
   SearchRequest request{*options.candidates, *options.separation_px, {}};
   if (lattice) {  // few translations are left: all of them are searched, whatever the size of the tile
     const Image<uint8_t> allowed = near_lattice(*lattice, patches.size(), kLatticeRadius);
@@ -172,11 +172,11 @@ ContentSelection select_contents(const PrincipalVariation& colors, ImageView<con
   ChosenCandidates chosen(candidates.size());
   if (wanted > 0) {
     const Turns turns = make_turns(*result.effective.rotations, *result.effective.scales, options.min_scale);
-    std::optional<Lattice> lattice;
+    std::optional<TranslationLattice> lattice;
     if (options.lattice == LatticeUse::automatic) lattice = find_lattice(luv);
     if (lattice) result.figures.lattice_correlation = lattice->correlation;
     const SearchResult found = search(classes, distances, partition, turns, lattice, result.effective,
-                                      [&](double done) { report(progress, 0.9 * done); });
+                                      [&](double done) { report_progress(progress, 0.9 * done); });
     check_enough(found.candidates, wanted, result.effective);
     if (found.all_error_count > 0)
       result.figures.computed_share =
@@ -196,7 +196,7 @@ ContentSelection select_contents(const PrincipalVariation& colors, ImageView<con
   result.figures.repetition_near = figures.repetition_near;
   result.figures.repetition_far = figures.repetition_far;
   result.figures.use_deviation = figures.use_deviation;
-  report(progress, 1.0);
+  report_progress(progress, 1.0);
   return result;
 }
 

@@ -201,7 +201,7 @@ SearchResult search_contents_turned(ImageView<const uint8_t> classes, const Clas
     result.candidates.push_back(search.run());
     result.error_count += search.error_count();
     result.all_error_count += texels[patch].offsets.size() * classes.size() * turns.size();
-    report(progress, static_cast<double>(patch + 1) / static_cast<double>(texels.size()));
+    report_progress(progress, static_cast<double>(patch + 1) / static_cast<double>(texels.size()));
   }
   return result;
 }

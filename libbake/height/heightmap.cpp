@@ -83,7 +83,7 @@ void spread(Image<float>& heights, const ClickSet& set, const Blend& blend, cons
 Heightmap spread_by_appearance(ImageView<const V3f> luv, const std::vector<HeightClick>& clicks, const Blend& blend,
                                int most, const Progress& progress) {
   const AppearancePyramid pyramid(luv);
-  report(progress, 0.5);
+  report_progress(progress, 0.5);
   const ClickSet set = by_appearance(pyramid, clicks, most);
   Heightmap result{Image<float>(luv.width(), luv.height()), {}, set.count()};
   spread(
@@ -111,7 +111,7 @@ Heightmap spread_by_gradients(const PrincipalVariation& colors, ImageView<const 
       if (!all) all = by_appearance(*pyramid, clicks, most);
       spread(result.height_01, *all, blend, in_class, [&](V2i texel) { return pyramid->at(texel); });
     }
-    report(progress, static_cast<double>(k + 1) / classes);
+    report_progress(progress, static_cast<double>(k + 1) / classes);
   }
   return result;
 }

@@ -159,7 +159,7 @@ std::vector<LocalSizeCandidate> local_size_candidates(ImageView<const V3f> exemp
   for (const int size : kLocalSizes) {
     if (std::min(exemplar.width(), exemplar.height()) < 2 * size) break;
     candidates.push_back(split(exemplar, size, resolved));
-    report(progress, size / 16.0);  // the largest takes half of the time
+    report_progress(progress, size / 16.0);  // the largest takes half of the time
   }
   return candidates;
 }
@@ -170,7 +170,7 @@ Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& o
   if (options.local_size)
     candidates.push_back(decompose_at(exemplar, *options.local_size, options));
   else
-    candidates = local_size_candidates(exemplar, options, [&](double done) { report(progress, 0.8 * done); });
+    candidates = local_size_candidates(exemplar, options, [&](double done) { report_progress(progress, 0.8 * done); });
   return decompose(exemplar, options, std::move(candidates), progress);
 }
 
@@ -183,7 +183,7 @@ Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& o
   result.structure = std::move(candidate.structure);
   result.masks = std::move(candidate.masks);
   result.result = candidate.test;
-  report(progress, 0.8);
+  report_progress(progress, 0.8);
 
   if (options.second_pass == SecondPass::automatic && candidate.test.coherence_drop > kStructureInNoise) {
     const int size = result.local_size.local_size;
@@ -196,7 +196,7 @@ Decomposition decompose(ImageView<const V3f> exemplar, const DecomposeOptions& o
     keep_sharp_borders(exemplar, border_band(result.masks, static_cast<double>(options.sharp_border_px)),
                        result.structure, result.masks);
   measure(exemplar, options.space, result);
-  report(progress, 1.0);
+  report_progress(progress, 1.0);
   return result;
 }
 

@@ -191,7 +191,7 @@ NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> stru
   model.space = options.space.value_or(NoiseSpace::root);
   const Image<V3f> layer = noise_layer(exemplar, structure, model.space);
   std::vector<Image<uint8_t>> cores = measured_texels(exemplar, model.space, masks, options);
-  report(progress, 0.2);
+  report_progress(progress, 0.2);
 
   // Colour spaces, the later ones matched to the first.
   model.noises.resize(masks.size());
@@ -207,17 +207,17 @@ NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> stru
   });
   for (size_t k = 1; k < masks.size(); ++k)
     model.noises[k].basis = match_axes(model.noises[k].basis, model.noises[0].basis);
-  report(progress, 0.4);
+  report_progress(progress, 0.4);
 
   // Spectra, histograms and lobes, then tiles.
   parallel_for(0, static_cast<int>(3 * masks.size()), [&](int i) {
     const auto k = static_cast<size_t>(i / 3);
     estimate_channel(layer, work[k], options, static_cast<size_t>(i % 3), model.noises[k]);
   });
-  report(progress, 0.8);
+  report_progress(progress, 0.8);
   bake_tiles(model, options);
   model.warnings = warnings_of(model.noises, options);
-  report(progress, 1.0);
+  report_progress(progress, 1.0);
   return model;
 }
 

@@ -121,7 +121,7 @@ PairWeights measure_pairs(const LocalSpectra& guide, double sigma, const Progres
     const SpectraRows spectra = guide.rows(y_begin - kReach, y_end);
     for (int y = y_begin; y < y_end; ++y) weights_of_row(spectra, y, guide.width(), curve, weights, guide.height());
   });
-  report(progress, 0.6);
+  report_progress(progress, 0.6);
   return weights;
 }
 
@@ -227,7 +227,7 @@ Image<V3f> extract_structure(ImageView<const V3f> image, const LocalSpectra& gui
         },
         16);
     std::swap(from, to);
-    report(progress, 0.6 + 0.4 * (i + 1) / parameters.iterations);
+    report_progress(progress, 0.6 + 0.4 * (i + 1) / parameters.iterations);
   }
   return from.image();
 }

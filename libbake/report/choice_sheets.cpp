@@ -106,7 +106,7 @@ Sheet convert_sheet(ImageView<const V3f> exemplar, const ConvertOptions& options
       if (error.kind() != ErrorKind::bad_data) throw;
       break;  // fewer colours than classes
     }
-    report(progress, static_cast<double>(sheet.cells.size()) / (std::size(kCounts) + 2));
+    report_progress(progress, static_cast<double>(sheet.cells.size()) / (std::size(kCounts) + 2));
   }
   return sheet;
 }
@@ -124,7 +124,7 @@ Sheet fragment_sheet(const PrincipalVariation& colors, ImageView<const V3f> base
           {fmt::format("--threshold {:.1f} --min-area {} --max-area {}\n{} fragments", *tried.threshold,
                        *tried.min_area_px, *tried.max_area_px, map.fragments.size()),
            reduce(drawn_fragments(map), factor)});
-      report(progress, static_cast<double>(sheet.cells.size()) / 9);
+      report_progress(progress, static_cast<double>(sheet.cells.size()) / 9);
     }
   return sheet;
 }
@@ -149,7 +149,7 @@ Sheet select_contents_sheet(const PrincipalVariation& colors, ImageView<const V3
       sheet.cells.push_back({fmt::format("--count {} --seed {}\nrepeats near {:.2f}, far {:.2f}", count, seed,
                                          selection.figures.repetition_near, selection.figures.repetition_far),
                              seen_from_afar(tile.base, *tile.patches, selection.table)});
-      report(progress, static_cast<double>(sheet.cells.size()) / 9);
+      report_progress(progress, static_cast<double>(sheet.cells.size()) / 9);
     }
   return sheet;
 }

@@ -73,7 +73,7 @@ class Measuring {
       for (int seed = 0; seed < seeds; ++seed) {
         rows.push_back(measured(method, static_cast<uint32_t>(seed)));
         done_ += 1.0 / (seeds * static_cast<double>(methods.size()));
-        texbake::report(progress_, 0.1 + 0.9 * done_);
+        report_progress(progress_, 0.1 + 0.9 * done_);
       }
       report_.methods[static_cast<size_t>(method)] = over_seeds(rows);
     }
@@ -198,7 +198,7 @@ Report report(const ReportInput& input, const ReportOptions& options, const Prog
   result.floor = fidelity_floor(scene.luv);
   result.suitability = suitability(input.contrast, find_lattice(scene.luv));
   result.pictures = bundle_pictures(input.tile, planes, input.exemplar, input.spectra);
-  texbake::report(progress, 0.1);
+  report_progress(progress, 0.1);
 
   // Renderings of the bundle and of the baselines, and what needs none.
   Measuring(scenes, options, result, progress).run(result.content_count > 0);

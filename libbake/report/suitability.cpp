@@ -10,7 +10,8 @@ constexpr double kNearRegular = 0.5;
 
 }  // namespace
 
-Suitability suitability(const std::optional<ContrastReport>& contrast, const std::optional<Lattice>& lattice) {
+Suitability suitability(const std::optional<ContrastReport>& contrast,
+                        const std::optional<TranslationLattice>& lattice) {
   if (lattice && lattice->correlation >= kNearRegular)
     return {fmt::format("the texture is near-regular: {:.0f} % of its variation recurs after ({}, {}) texels, so that "
                         "any other translation breaks the pattern, and translations that keep the pattern repeat it",

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "libbake/content/lattice.h"
+#include "libbake/content/translation_lattice.h"
 #include "libbake/segment/contrast.h"
 
 namespace texbake {
@@ -18,6 +18,7 @@ struct Suitability {
 };
 
 /// `contrast` is nothing where the bundle has no fragments.
-Suitability suitability(const std::optional<ContrastReport>& contrast, const std::optional<Lattice>& lattice);
+Suitability suitability(const std::optional<ContrastReport>& contrast,
+                        const std::optional<TranslationLattice>& lattice);
 
 }  // namespace texbake

@@ -8,7 +8,7 @@
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
 #include "libbake/segment/clean.h"
-#include "libbake/segment/decision.h"
+#include "libbake/segment/denoised_colors.h"
 #include "libbake/segment/grow.h"
 
 namespace texbake {
@@ -42,7 +42,7 @@ int share_of(double area, double share, int least) {
   return std::max(least, static_cast<int>(std::floor(area * share + 0.5)));
 }
 
-/// All but the threshold, which needs the decision.
+/// All but the threshold, which needs the colours without grain.
 FragmentOptions resolve_sizes(FragmentOptions options, const PrincipalVariation& colors) {
   check_options(options);
   const auto area = static_cast<double>(colors.index.size());
@@ -59,8 +59,8 @@ FragmentOptions resolve_sizes(FragmentOptions options, const PrincipalVariation&
   return options;
 }
 
-void resolve_threshold(FragmentOptions& options, const Decision& decision) {
-  if (!options.threshold) options.threshold = automatic_threshold(decision.variation);
+void resolve_threshold(FragmentOptions& options, const DenoisedColors& denoised) {
+  if (!options.threshold) options.threshold = automatic_threshold(denoised.variation);
 }
 
 /// Mean of the base over each fragment, summed in row order.
@@ -79,7 +79,7 @@ void average(ImageView<const V3f> base, FragmentMap& map) {
 
 FragmentOptions resolve(const FragmentOptions& options, const PrincipalVariation& colors) {
   FragmentOptions resolved = resolve_sizes(options, colors);
-  if (!resolved.threshold) resolve_threshold(resolved, decide(colors, *resolved.denoise_px));
+  if (!resolved.threshold) resolve_threshold(resolved, denoised_colors(colors, *resolved.denoise_px));
   return resolved;
 }
 
@@ -95,22 +95,22 @@ FragmentMap fragment(const PrincipalVariation& colors, ImageView<const V3f> base
             size.x, size.y));
 
   FragmentOptions resolved = resolve_sizes(options, colors);
-  const Decision decision = decide(colors, *resolved.denoise_px);
-  resolve_threshold(resolved, decision);
-  report(progress, 0.2);
+  const DenoisedColors denoised = denoised_colors(colors, *resolved.denoise_px);
+  resolve_threshold(resolved, denoised);
+  report_progress(progress, 0.2);
 
   const V2i extent = fragment_extent(size);
   Growth growth =
-      grow(decision.index, decision.variation, {*resolved.threshold, *resolved.max_area_px, extent, resolved.seed});
-  report(progress, 0.5);
-  growth = clean(std::move(growth), decision.luv, {*resolved.min_area_px, *resolved.max_area_px, extent});
-  report(progress, 0.9);
+      grow(denoised.index, denoised.variation, {*resolved.threshold, *resolved.max_area_px, extent, resolved.seed});
+  report_progress(progress, 0.5);
+  growth = clean(std::move(growth), denoised.luv, {*resolved.min_area_px, *resolved.max_area_px, extent});
+  report_progress(progress, 0.9);
 
   FragmentMap map;
-  for (const size_t seed : growth.seeds) map.fragments.push_back({decision.index.data()[seed], V3f(0)});
+  for (const size_t seed : growth.seeds) map.fragments.push_back({denoised.index.data()[seed], V3f(0)});
   map.partition = unwrap(std::move(growth.idx));
   average(base, map);
-  report(progress, 1.0);
+  report_progress(progress, 1.0);
   return map;
 }
 

@@ -26,11 +26,10 @@ int automatic_count(int fragments) {
 void check_count(int count, const FragmentMap& fragments) {
   const int available = fragments.partition.count();
   if (count > available)
-    throw Error(
-        ErrorKind::infeasible,
-        fmt::format("expected at least as many fragments as patches, {}, found {}; ask for --count {} or "
-                    "fewer, or run fragment with a smaller --max-area",
-                    count, available, available));
+    throw Error(ErrorKind::infeasible,
+                fmt::format("expected at least as many fragments as patches, {}, found {}; ask for --count {} or "
+                            "fewer, or run fragment with a smaller --max-area",
+                            count, available, available));
   if (count < kLeastCount)
     throw Error(ErrorKind::infeasible,
                 fmt::format("expected at least {} patches, found --count {}: a patch must stay under half the "
@@ -80,13 +79,13 @@ PatchMap patch(const FragmentMap& fragments, ImageView<const V3f> base, const Pa
   const PatchOptions resolved = resolve(options, fragments);
   check_count(*resolved.count, fragments);
   const FragmentGraph graph = fragment_graph(fragments, luv_from_linear(base));
-  report(progress, 0.3);
+  report_progress(progress, 0.3);
   Clusters clusters = clusters_of(fragments, graph, *resolved.count, resolved.seed);
-  report(progress, 0.6);
+  report_progress(progress, 0.6);
   refine(clusters, fragments, graph);
-  report(progress, 0.8);
+  report_progress(progress, 0.8);
   PatchMap map{unwrap(idx_of(clusters, fragments.partition.idx))};
-  report(progress, 1.0);
+  report_progress(progress, 1.0);
   return map;
 }
 

@@ -81,7 +81,7 @@ TEST(History, OtherScalesAreNotTheirBusiness) {
   Bundle bundle = bundle_with_everything();
   const std::vector<Stage> alone = bundle.stages;
   for (Stage& stage : bundle.stages) stage.scale = "coarse";
-  for (Source& source : bundle.sources) source.scale = "coarse";
+  for (SourceFile& source : bundle.sources) source.scale = "coarse";
   bundle.scales[0].name = "coarse";
   Scale fine = scale_with_everything(64, "fine");
   fine.transfer.emplace();

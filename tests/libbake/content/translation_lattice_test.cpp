@@ -1,4 +1,4 @@
-#include "libbake/content/lattice.h"
+#include "libbake/content/translation_lattice.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Image<V3f> bricks(int side) {
   return image;
 }
 
-TEST(Lattice, OfBricksIsTheirBond) {
+TEST(TranslationLattice, OfBricksIsTheirBond) {
   const auto lattice = find_lattice(bricks(256));
   ASSERT_TRUE(lattice.has_value());
   EXPECT_GT(lattice->correlation, 0.4);
@@ -37,14 +37,14 @@ TEST(Lattice, OfBricksIsTheirBond) {
   EXPECT_EQ(lattice->translations.size(), 127u);
 }
 
-TEST(Lattice, GrainHasNone) {
+TEST(TranslationLattice, GrainHasNone) {
   Random random(1);
   Image<V3f> image(128, 128);
   for (V3f& c : image) c = V3f(random.uniform() * 100.0f, 0, 0);
   EXPECT_FALSE(find_lattice(image).has_value());
 }
 
-TEST(Lattice, ADetailCopiedOnceIsNone) {
+TEST(TranslationLattice, ADetailCopiedOnceIsNone) {
   Random random(1);
   Image<V3f> image(128, 128);
   for (V3f& c : image) c = V3f(random.uniform() * 100.0f, 0, 0);
@@ -53,9 +53,11 @@ TEST(Lattice, ADetailCopiedOnceIsNone) {
   EXPECT_FALSE(find_lattice(image).has_value());
 }
 
-TEST(Lattice, AConstantHasNone) { EXPECT_FALSE(find_lattice(Image<V3f>(64, 64, V3f(50, 1, 1))).has_value()); }
+TEST(TranslationLattice, AConstantHasNone) {
+  EXPECT_FALSE(find_lattice(Image<V3f>(64, 64, V3f(50, 1, 1))).has_value());
+}
 
-TEST(Lattice, NearIsAroundEachOfItsTranslations) {
+TEST(TranslationLattice, NearIsAroundEachOfItsTranslations) {
   const Image<uint8_t> near = near_lattice({{V2i(-8, 0), V2i(4, 4)}, 1}, {16, 16}, 1);
   int count = 0;
   for (const uint8_t n : near) count += n;

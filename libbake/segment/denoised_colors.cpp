@@ -1,4 +1,4 @@
-#include "libbake/segment/decision.h"
+#include "libbake/segment/denoised_colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,15 +38,15 @@ void classify(const Palette& palette, const V3f& luv, uint8_t& index, float& var
 
 }  // namespace
 
-Decision decide(const PrincipalVariation& colors, float denoise_px) {
-  Decision decision{luv_of(colors), colors.index.clone(), colors.variation.clone()};
-  if (denoise_px <= 0) return decision;
-  decision.luv = gaussian_blur(decision.luv, static_cast<double>(denoise_px), Wrap::repeat);
-  parallel_for(0, decision.luv.height(), [&](int y) {
-    for (int x = 0; x < decision.luv.width(); ++x)
-      classify(colors.palette, decision.luv(x, y), decision.index(x, y), decision.variation(x, y));
+DenoisedColors denoised_colors(const PrincipalVariation& colors, float denoise_px) {
+  DenoisedColors denoised{luv_of(colors), colors.index.clone(), colors.variation.clone()};
+  if (denoise_px <= 0) return denoised;
+  denoised.luv = gaussian_blur(denoised.luv, static_cast<double>(denoise_px), Wrap::repeat);
+  parallel_for(0, denoised.luv.height(), [&](int y) {
+    for (int x = 0; x < denoised.luv.width(); ++x)
+      classify(colors.palette, denoised.luv(x, y), denoised.index(x, y), denoised.variation(x, y));
   });
-  return decision;
+  return denoised;
 }
 
 float median_variation(const Image<float>& variation) {

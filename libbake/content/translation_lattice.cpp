@@ -1,4 +1,4 @@
-#include "libbake/content/lattice.h"
+#include "libbake/content/translation_lattice.h"
 
 #include <algorithm>
 #include <complex>
@@ -108,7 +108,7 @@ std::vector<V2i> reached_peaks(const std::vector<Peak>& peaks, V2i a, V2i b, V2i
 
 }  // namespace
 
-std::optional<Lattice> find_lattice(ImageView<const V3f> luv) {
+std::optional<TranslationLattice> find_lattice(ImageView<const V3f> luv) {
   if (std::min(luv.width(), luv.height()) < 8 * kPeakRadius) return std::nullopt;
   const Image<double> correlation = autocorrelation(luv);
   std::vector<Peak> peaks = peaks_above(correlation, kLeastPeak);
@@ -118,14 +118,14 @@ std::optional<Lattice> find_lattice(ImageView<const V3f> luv) {
   peaks = peaks_above(correlation, kPeakShare * peaks.front().value);
   const V2i a = shortest_of_strongest(peaks, [](V2i) { return true; });
   const V2i b = shortest_of_strongest(peaks, [&](V2i t) { return spans(a, t); });
-  Lattice lattice;
+  TranslationLattice lattice;
   lattice.correlation = peaks.front().value;
   lattice.translations = reached_peaks(peaks, a, b, {luv.width(), luv.height()});
   if (b == V2i(0, 0) || lattice.translations.size() < kLeastPeaks) return std::nullopt;
   return lattice;
 }
 
-Image<uint8_t> near_lattice(const Lattice& lattice, V2i size, int radius_px) {
+Image<uint8_t> near_lattice(const TranslationLattice& lattice, V2i size, int radius_px) {
   Image<uint8_t> near(size.x, size.y);
   for (const V2i& translation : lattice.translations)
     for (int dy = -radius_px; dy <= radius_px; ++dy)

@@ -11,7 +11,7 @@
 
 namespace texbake {
 
-struct Lattice {
+struct TranslationLattice {
   std::vector<V2i> translations;  ///< −size/2 … (size−1)/2, the strongest first; the identity is not among them
   double correlation = 0;         ///< autocorrelation at the first of them, 0 … 1
 };
@@ -21,9 +21,9 @@ struct Lattice {
 /// a peak of at least 0.15 and at least three pairs of peaks of 0.4 of that and above can be reached from the identity
 /// by steps along two of them: one repeated detail, as left by retouching, makes a single pair. On fourteen photographs
 /// bricks (0.27) and a weave (0.82) have a lattice; the others stay below 0.12 or have one pair.
-std::optional<Lattice> find_lattice(ImageView<const V3f> luv);
+std::optional<TranslationLattice> find_lattice(ImageView<const V3f> luv);
 
 /// Which translations lie within `radius_px` (Chebyshev) of one of the lattice: 1, else 0. By translation, 0 … size−1.
-Image<uint8_t> near_lattice(const Lattice& lattice, V2i size, int radius_px);
+Image<uint8_t> near_lattice(const TranslationLattice& lattice, V2i size, int radius_px);
 
 }  // namespace texbake

@@ -1,11 +1,11 @@
-// The picture that decides where fragments end: classes and variation without the grain of the photograph.
+// The colours by which fragments grow: classes and variation without the grain of the photograph.
 #pragma once
 
 #include "libbake/color/palette.h"
 
 namespace texbake {
 
-struct Decision {
+struct DenoisedColors {
   Image<V3f> luv;          ///< colour of each texel, CIELUV
   Image<uint8_t> index;    ///< its class
   Image<float> variation;  ///< and coordinate along V_i
@@ -15,7 +15,7 @@ struct Decision {
 /// D_i + v V_i are blurred by a Gaussian of that standard deviation on the torus, and each is given to the class whose
 /// line it is nearest to (eq. 1; the lowest index among equals). Grain makes classes flicker from texel to texel; on
 /// photographs, 1.5 px raise the contrast along the borders of the cleaned fragments by a tenth to a quarter.
-Decision decide(const PrincipalVariation& colors, float denoise_px);
+DenoisedColors denoised_colors(const PrincipalVariation& colors, float denoise_px);
 
 /// Median of |v|: half of a robust width of the classes.
 float median_variation(const Image<float>& variation);
