@@ -14,6 +14,11 @@
 namespace texbake {
 namespace {
 
+/// Figures are measured on so many fine texels along each axis at most, so that time stays small for any ratio.
+constexpr int kMostFineTexels = 768;
+/// Of fine texels darker than black: on four pairs of photographs less is not seen.
+constexpr double kSeenBlackShare = 0.02;
+
 std::vector<std::string> parted(const std::string& text, char by) {
   std::vector<std::string> parts;
   for (size_t begin = 0; !text.empty() && begin <= text.size();) {
@@ -105,8 +110,7 @@ Json error_json(const TransferError& error) {
 }
 
 void warn_of_black(const ScaleTransfer& transfer, double share, const std::string& scale, Listener& listener) {
-  constexpr double kSeen = 0.02;  // on four pairs of photographs less is not seen
-  if (share < kSeen || transfer.detail == DetailStrength::relative) return;
+  if (share < kSeenBlackShare || transfer.detail == DetailStrength::relative) return;
   listener.warning(
       fmt::format("scale {}: {:.0f} % of its texels fall below black where the coarse scale is dark, and lose their "
                   "detail; --detail relative preserves it",
@@ -127,14 +131,13 @@ StackPlanes planes_with_local_means(const Bundle& stack) {
 
 /// Eq. 4, for both means that a stack may subtract.
 Json figures_of(const Bundle& stack, Listener& listener) {
-  constexpr int kMostFineTexels = 768;  // along each axis: time stays small for any ratio
   StackPlanes planes = planes_with_local_means(stack);
   const auto chosen = [&](size_t s) { return stack.scales[s].transfer->detail_mean; };
   for (size_t s = 1; s < stack.scales.size(); ++s) set_detail_mean(planes, static_cast<int>(s), chosen(s));
   Json list = Json::array();
   for (size_t s = 1; s < stack.scales.size(); ++s) {
     const ScaleTransfer& transfer = *stack.scales[s].transfer;
-    const int scale = static_cast<int>(s), side = std::clamp(kMostFineTexels / transfer.ratio, 1, 48);
+    const int scale = static_cast<int>(s), side = std::clamp(kMostFineTexels / transfer.ratio, 1, kTransferErrorSide);
     Json figures = {{"scale", stack.scales[s].name}, {"coarseTexels", side * side}};
     double below_black = 0;
     for (const DetailMean mean : {DetailMean::tile, DetailMean::local}) {

@@ -12,7 +12,7 @@ namespace {
 
 struct PreviewOptions {
   std::string file;
-  float depth_px = 16;
+  float depth_px = kPreviewDepthPx;
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

@@ -6,6 +6,9 @@
 
 namespace texbake {
 
+/// A depth at which the relief of a usual tile is seen well, for previews.
+inline constexpr float kPreviewDepthPx = 16;
+
 /// The tile, `base` in linear light, lit from the upper left at 45 degrees as if its surface rose by `depth_px` texels
 /// from height 0 to 1: Lambert's cosine over that of a flat surface, normals from central differences on the torus.
 /// A flat height gives the base unchanged.

@@ -13,8 +13,11 @@ struct TransferError {
   double below_black = 0;  ///< share of the fine texels that have a channel below -1/255: they are clipped when stored
 };
 
+/// Coarse texels along each axis: of so many, the rms is known to one or two percent.
+inline constexpr int kTransferErrorSide = 48;
+
 /// Measured on side × side coarse texels of the infinite texture from the origin on, seed 0, between `scale` ≥ 1 and
 /// the one before it.
-TransferError transfer_error(const StackPlanes& planes, int scale, int side = 48);
+TransferError transfer_error(const StackPlanes& planes, int scale, int side = kTransferErrorSide);
 
 }  // namespace texbake
