@@ -142,7 +142,7 @@ struct PictureWriter::State {
         proxy(file, target),
         output(OIIO::ImageOutput::create(kind.plugin)) {
     if (is_integer() && format.role == PictureRole::color) srgb.emplace(bits());
-    OIIO::ImageSpec spec(format.width, format.height, format.channels, oiio_type(samples));
+    spec = OIIO::ImageSpec(format.width, format.height, format.channels, oiio_type(samples));
     if (format.channels == 1) spec.channelnames = {"Y"};
     spec.attribute("DateTime", "");  // else OpenEXR and TIFF store the time of writing
     const bool is_tiff = kind.extension.starts_with('t');
@@ -151,8 +151,6 @@ struct PictureWriter::State {
     spec.attribute("compression", kind.extension.starts_with('j') ? "jpeg:95" : "zip");
     if (!output)
       throw Error(ErrorKind::unsupported, fmt::format("{}: this build cannot write .{}", path, kind.extension));
-    output->set_ioproxy(&proxy);
-    check(output->open(path, spec));
   }
 
   // Through a symbolic link, the file it points to is replaced; anything but a plain file is not.
@@ -199,8 +197,15 @@ struct PictureWriter::State {
     }
   }
 
+  /// Only for the first row: libpng complains aloud of a file that is given up before it.
+  void open() {
+    output->set_ioproxy(&proxy);
+    check(output->open(path, spec));
+  }
+
   void write_rows(const float* values, int height) {
     assert(rows_written + height <= format.height);
+    if (rows_written == 0) open();
     if (samples == SampleType::uint8)
       write_bands<uint8_t>(values, height, [&](float value) { return static_cast<uint8_t>(code(value)); });
     else if (samples == SampleType::uint16)
@@ -213,6 +218,7 @@ struct PictureWriter::State {
   PictureFormat format;
   SampleType samples;
   std::optional<SrgbEncoder> srgb;
+  OIIO::ImageSpec spec;
   int rows_written = 0;
   SafeFile file;  // outlives the encoder, which may write when it is destroyed
   SafeFileProxy proxy;

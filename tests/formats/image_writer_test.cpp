@@ -56,6 +56,15 @@ class ImageWriter : public ::testing::Test {
   PictureFolder folder_;
 };
 
+TEST_F(ImageWriter, APictureGivenUpBeforeItsFirstRowLeavesNothingAndSaysNothing) {
+  for (const char* name : {"a.png", "a.exr", "a.tif", "a.jpg"}) {
+    testing::internal::CaptureStderr();
+    { const PictureWriter writer(folder_ / name, {.width = 4, .height = 4}); }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << name;
+    EXPECT_EQ(folder_.file_count(), 0u) << name;
+  }
+}
+
 TEST_F(ImageWriter, ColourComesBackWithinHalfACode) {
   const Image<V3f> image = ramp(64, 100);
   write_picture(folder_ / "8.png", image, PictureRole::color);
