@@ -35,31 +35,32 @@ std::string title_of(const StageRow& row) {
   return "Options of " + row.verb + (row.use == StageUse::layers ? " (with --layers structure+noise)" : "");
 }
 
-Action declare(CLI::App& app) {
+void take_input(Request& request, const std::string& input) {
+  request.input = input;
+  if (is_recipe(input))
+    request.bake = read_recipe(input);
+  else
+    request.bake.convert.files.color.file = input;
+}
+
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
   // Declared first, so that flags that follow change what the recipe says.
-  app.add_option_function<std::string>(
-         "INPUT",
-         [request](const std::string& input) {
-           request->input = input;
-           if (is_recipe(input))
-             request->bake = read_recipe(input);
-           else
-             request->bake.convert.files.color.file = input;
-         },
-         "a picture, or a recipe (.json) as \"info --recipe\" writes it")
-      ->required()
-      ->type_name("");
-  app.add_option("-o,--output", request->output, "the bundle to write; default: NAME.texbundle here")
-      ->type_name("BUNDLE");
-  app.add_flag("--if-changed", request->if_changed,
-               "do nothing when the bundle was made from the same files, with the same options, by this version");
-  add_flags(app, request->bake.layers, "Options");
-  add_convert_flags(app, request->bake.convert);
+  arguments.positional({.name = "INPUT",
+                        .names = Names::file,
+                        .help = "a picture, or a recipe (.json) as \"info --recipe\" writes it",
+                        .assign = [request](const std::string& input) { take_input(*request, input); }});
+  add_new_bundle_path(arguments, request->output);
+  arguments.flag(
+      {.name = "if-changed",
+       .help = "do nothing when the bundle was made from the same files, with the same options, by this version",
+       .assign = into(request->if_changed)});
+  add_flags(arguments, request->bake.layers, "Options");
+  add_convert_flags(arguments, request->bake.convert);
   for (const StageRow& row : stage_table())
     if (is_in_chain(row) && &row != &first_stage())
       for_each_options_of(row.verb, request->bake,
-                          [&](auto& options) { add_flags(app, options, title_of(row), row.verb + "-"); });
+                          [&](auto& options) { add_flags(arguments, options, title_of(row), row.verb + "-"); });
   return [request](Console& console) { return run(*request, console); };
 }
 

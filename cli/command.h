@@ -1,11 +1,11 @@
 // A verb of texbake: how it is told on the command line and what it then does.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/exit_code.h"
 #include "formats/bundle.h"
@@ -26,9 +26,12 @@ struct Command {
   std::string verb;
   std::string summary;  ///< one line
   std::string example;  ///< complete command lines
-  /// Adds the verb's options to `app`; the action it returns is called after the parse and owns what the flags fill.
-  std::function<Action(CLI::App& app)> declare;
+  /// Adds the verb's arguments; the action it returns is called after the parse and owns what they fill.
+  std::function<Action(Arguments& arguments)> declare;
 };
+
+/// Adds the positional BUNDLE that most verbs read.
+void add_bundle_path(Arguments& arguments, std::string& path);
 
 Command bake_command();
 Command convert_command();
@@ -44,5 +47,8 @@ Command report_command();
 Command select_contents_command();
 Command stack_command();
 Command verify_command();
+
+/// All of them, in the order in which the help lists them.
+std::vector<Command> all_commands();
 
 }  // namespace texbake

@@ -30,15 +30,15 @@ Outcome run(const Request& request, Console& console) {
   return written_bundle(path, bundle.stages);
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("PICTURE", request->convert.files.color.file, "the exemplar: any picture that OpenImageIO reads")
-      ->required()
-      ->type_name("");
-  app.add_option("-o,--output", request->output, "the bundle to write; default: NAME.texbundle here")
-      ->type_name("BUNDLE");
-  add_convert_flags(app, request->convert);
-  add_sheet_flag(app, request->sheet);
+  arguments.positional({.name = "PICTURE",
+                        .names = Names::file,
+                        .help = "the exemplar: any picture that OpenImageIO reads",
+                        .assign = into(request->convert.files.color.file)});
+  add_new_bundle_path(arguments, request->output);
+  add_convert_flags(arguments, request->convert);
+  add_sheet_flag(arguments, request->sheet);
   return [request](Console& console) { return run(*request, console); };
 }
 

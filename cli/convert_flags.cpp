@@ -4,22 +4,20 @@
 
 namespace texbake {
 
-void add_convert_flags(CLI::App& app, ConvertRequest& request) {
+void add_convert_flags(Arguments& arguments, ConvertRequest& request) {
   constexpr const char* kGroup = "Options of convert";
-  app.add_option_function<std::vector<std::string>>(
-         "--map",
-         [&request](const std::vector<std::string>& list) {
-           for (const std::string& text : list) {
-             const NamedFile map = parse_named_file("map", text);
-             request.files.maps.push_back({.name = map.name, .file = map.file, .sha256 = ""});
-           }
-         },
-         "another picture of the same surface, such as normal, roughness, occlusion, metallic; height is relief and "
-         "counts among the colours; may be repeated")
-      ->group(kGroup)
-      ->type_name("NAME=FILE")
-      ->allow_extra_args(false);
-  for_each_options(request, [&](auto& options) { add_flags(app, options, kGroup); });
+  arguments.option(
+      {.name = "map",
+       .value = "NAME=FILE",
+       .help = "another picture of the same surface, such as normal, roughness, occlusion, metallic; height is relief "
+               "and counts among the colours; may be repeated",
+       .group = kGroup,
+       .repeat = Repeat::each,
+       .assign = [&request](const std::string& text) {
+         const NamedFile map = parse_named_file("map", text);
+         request.files.maps.push_back({.name = map.name, .file = map.file, .sha256 = ""});
+       }});
+  for_each_options(request, [&](auto& options) { add_flags(arguments, options, kGroup); });
 }
 
 }  // namespace texbake

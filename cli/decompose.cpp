@@ -22,14 +22,16 @@ Outcome run(const Request& request, Console& console) {
                        [&](Bundle& bundle) { run_decompose(bundle, request.options, request.sheet, console); });
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  add_bundle_paths(app, request->paths);
-  add_flags(app, request->options, "Options");
-  app.add_option("--sheet", request->sheet,
-                 "also write a picture to choose --local-size by eye: for each size, smallest on top, exemplar, "
-                 "structure, noise, and what is made of them again; the chosen one is framed")
-      ->type_name("FILE");
+  add_bundle_paths(arguments, request->paths);
+  add_flags(arguments, request->options, "Options");
+  arguments.option({.name = "sheet",
+                    .value = "FILE",
+                    .names = Names::file,
+                    .help = "also write a picture to choose --local-size by eye: for each size, smallest on top, "
+                            "exemplar, structure, noise, and what is made of them again; the chosen one is framed",
+                    .assign = into(request->sheet)});
   return [request](Console& console) { return run(*request, console); };
 }
 

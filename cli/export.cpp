@@ -78,12 +78,20 @@ Outcome run(const Request& request, Console& console) {
   return {.text = page + "\n", .result = {{"output", folder}, {"page", page}}};
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
-  app.add_option("-o,--output", request->output, "the folder; default: NAME_web here")->type_name("FOLDER");
-  app.add_flag("--web", request->web, "a page that shows the endless texture, opened from the disk, without a server");
-  add_flags(app, request->options, "Options");
+  add_bundle_path(arguments, request->bundle);
+  arguments.option({.name = "output",
+                    .letter = 'o',
+                    .value = "FOLDER",
+                    .names = Names::folder,
+                    .standard = "NAME_web here",
+                    .help = "the folder",
+                    .assign = into(request->output)});
+  arguments.flag({.name = "web",
+                  .help = "a page that shows the endless texture, opened from the disk, without a server",
+                  .assign = into(request->web)});
+  add_flags(arguments, request->options, "Options");
   return [request](Console& console) { return run(*request, console); };
 }
 

@@ -1,10 +1,10 @@
-// The options that every verb takes.
+// The options that every verb takes, and that may also stand before the verb.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 
+#include "cli/arguments.h"
 #include "cli/console.h"
 
 namespace texbake {
@@ -20,7 +20,10 @@ struct GlobalOptions {
   Verbosity verbosity() const { return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal; }
 };
 
+/// The heading that they stand under.
+inline constexpr const char* kForEveryVerb = "For every verb";
+
 /// `options` must outlive the parse.
-void add_global_flags(CLI::App& app, GlobalOptions& options);
+void add_global_flags(Arguments& arguments, GlobalOptions& options);
 
 }  // namespace texbake

@@ -55,21 +55,21 @@ Outcome run(const Request& request, Console& console) {
   return outcome;
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("BUNDLE", request->paths.input, "a folder NAME.texbundle")->required()->type_name("");
-  app.add_option(
-         "CLICKS", request->clicks,
-         "heights of some texels: .json [{\"x\": 12, \"y\": 34, \"height\": 0.5}, ...], .csv (x,y,height), or a "
-         "grey picture with alpha 0 (without alpha: black) where there is none")
-      ->required()
-      ->type_name("");
-  app.add_option("-o,--output", request->paths.output, "the bundle to write; default: BUNDLE, in place")
-      ->type_name("BUNDLE");
-  app.add_flag("--source-coordinates", request->in_source,
-               "clicks count in texels of the photograph instead of the tile's");
-  add_flags(app, request->options, "Options");
-  add_flags(app, request->preview, "Options");
+  add_bundle_path(arguments, request->paths.input);
+  arguments.positional(
+      {.name = "CLICKS",
+       .names = Names::file,
+       .help = "heights of some texels: .json [{\"x\": 12, \"y\": 34, \"height\": 0.5}, ...], .csv (x,y,height), or a "
+               "grey picture with alpha 0 (without alpha: black) where there is none",
+       .assign = into(request->clicks)});
+  add_changed_bundle_path(arguments, request->paths.output);
+  arguments.flag({.name = "source-coordinates",
+                  .help = "clicks count in texels of the photograph instead of the tile's",
+                  .assign = into(request->in_source)});
+  add_flags(arguments, request->options, "Options");
+  add_flags(arguments, request->preview, "Options");
   return [request](Console& console) { return run(*request, console); };
 }
 

@@ -28,10 +28,12 @@ Outcome run(const Request& request, Console&) {
   return outcome;
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
-  app.add_flag("--recipe", request->recipe, "write the recipe from which bake makes the same bundle");
+  add_bundle_path(arguments, request->bundle);
+  arguments.flag({.name = "recipe",
+                  .help = "write the recipe from which bake makes the same bundle",
+                  .assign = into(request->recipe)});
   return [request](Console& console) { return run(*request, console); };
 }
 

@@ -1,40 +1,50 @@
 // Turns the list of fields of a stage's options into flags of the command line, with their help.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "cli/arguments.h"
 #include "libbake/base/option_text.h"
 
 namespace texbake {
 
-/// One flag, whatever the type of its value.
-struct Flag {
-  std::string name;      ///< without "--"
-  std::string accepted;  ///< "1 to 64 colours"
-  std::string standard;  ///< the default, "auto (how)" for an automatic value
-  std::string help;
-  std::function<void(const std::string&)> assign;  ///< reads the text of the value; throws Error(usage)
-};
+/// The words that a value of type T may be, where they can be listed.
+template <class T>
+std::vector<std::string> choices_of() {
+  std::vector<std::string> choices;
+  if constexpr (IsOptional<T>::value) {
+    choices = choices_of<typename T::value_type>();
+    if (!choices.empty()) choices.push_back("auto");
+  } else if constexpr (std::is_enum_v<T>) {
+    for (const std::string_view name : enum_names<T>()) choices.emplace_back(name);
+  }
+  return choices;
+}
 
-/// Adds `flag` to `app` under the heading `group`.
-void add_flag(CLI::App& app, const Flag& flag, const std::string& group);
+/// `field` of an options struct as the option --NAME, which sets `value`; `value` must outlive the parse.
+template <class T>
+Argument option_of(T& value, const Field& field, const std::string& name) {
+  std::string standard = value_text(value);
+  if (standard == "auto" && *field.auto_help) standard += fmt::format(" ({})", field.auto_help);
+  return {.name = name,
+          .value = accepted_text<T>(field),
+          .choices = choices_of<T>(),
+          .names = std::string_view(field.unit) == "FILE" ? Names::file : Names::nothing,
+          .standard = standard,
+          .help = field.help,
+          .repeat = Repeat::last,
+          .assign = [&value, name, field](const std::string& text) { assign_text(value, name, field, text); }};
+}
 
-/// Adds every field of `options`, which must outlive the parse, as --PREFIXNAME.
+/// Adds every field of `options`, which must outlive the parse, as --PREFIXNAME under the heading `group`.
 template <class Options>
-void add_flags(CLI::App& app, Options& options, const std::string& group, const std::string& prefix = "") {
+void add_flags(Arguments& arguments, Options& options, const std::string& group, const std::string& prefix = "") {
   Options::fields(options, [&](auto& value, const Field& field) {
-    const std::string name = prefix + field.name;
-    std::string standard = value_text(value);
-    if (standard == "auto" && *field.auto_help) standard += fmt::format(" ({})", field.auto_help);
-    add_flag(app,
-             {.name = name,
-              .accepted = accepted_text<std::decay_t<decltype(value)>>(field),
-              .standard = standard,
-              .help = field.help,
-              .assign = [&value, name, field](const std::string& text) { assign_text(value, name, field, text); }},
-             group);
+    Argument option = option_of(value, field, prefix + field.name);
+    option.group = group;
+    arguments.option(std::move(option));
   });
 }
 

@@ -230,25 +230,29 @@ Outcome run(const Request& request, Console& console) {
   return {.text = path + "\n", .result = {{"output", path}}};
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
-  app.add_option("-o,--output", request->output, "the picture: .png or .exr; default: NAME.png here")
-      ->type_name("FILE");
-  add_flags(app, request->options, "Options");
-  add_flags(app, request->window, "Options");
-  add_flags(app, request->view, "View");
-  add_flags(app, request->gl, "Options");
-  add_flags(app, request->deform, "Deformation");
-  add_flags(app, request->relief, "Relief");
-  add_flags(app, request->slant, "Relief");
-  add_flag(app,
-           {.name = "map",
-            .accepted = "NAME",
-            .standard = "the colour",
-            .help = "draw this map of the material instead",
-            .assign = [request](const std::string& name) { request->map = name; }},
-           "Options");
+  add_bundle_path(arguments, request->bundle);
+  arguments.option({.name = "output",
+                    .letter = 'o',
+                    .value = "FILE",
+                    .names = Names::file,
+                    .standard = "NAME.png here",
+                    .help = "the picture: .png or .exr",
+                    .assign = into(request->output)});
+  add_flags(arguments, request->options, "Options");
+  add_flags(arguments, request->window, "Options");
+  add_flags(arguments, request->view, "View");
+  add_flags(arguments, request->gl, "Options");
+  add_flags(arguments, request->deform, "Deformation");
+  add_flags(arguments, request->relief, "Relief");
+  add_flags(arguments, request->slant, "Relief");
+  arguments.option({.name = "map",
+                    .value = "NAME",
+                    .standard = "the colour",
+                    .help = "draw this map of the material instead",
+                    .repeat = Repeat::last,
+                    .assign = into(request->map)});
   return [request](Console& console) { return run(*request, console); };
 }
 

@@ -167,17 +167,22 @@ Outcome run(const Request& request, Console& console) {
           report_json(result, request.bundle, request.output)};
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
-  app.add_option("-o,--output", request->output, "write the page, one HTML file; default: no page")->type_name("FILE");
+  add_bundle_path(arguments, request->bundle);
+  arguments.option({.name = "output",
+                    .letter = 'o',
+                    .value = "FILE",
+                    .names = Names::file,
+                    .standard = "no page",
+                    .help = "write the page, one HTML file",
+                    .assign = into(request->output)});
   // Declared first, so that flags that follow change what it sets.
-  app.add_flag_callback(
-         "--quick", [request] { request->options = ReportOptions::quick(); },
-         "a preview in seconds: --seeds 1 --side 256")
-      ->group("Options");
-  add_flags(app, request->options, "Options");
-  add_flags(app, request->judge, "Options");
+  arguments.flag({.name = "quick",
+                  .help = "a preview in seconds: --seeds 1 --side 256",
+                  .assign = [request](const std::string&) { request->options = ReportOptions::quick(); }});
+  add_flags(arguments, request->options, "Options");
+  add_flags(arguments, request->judge, "Options");
   return [request](Console& console) { return run(*request, console); };
 }
 

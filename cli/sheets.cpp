@@ -5,10 +5,12 @@
 
 namespace texbake {
 
-void add_sheet_flag(CLI::App& app, std::string& file) {
-  app.add_option("--sheet", file,
-                 "also write a picture to choose the options by eye: what other values give, each labelled")
-      ->type_name("FILE");
+void add_sheet_flag(Arguments& arguments, std::string& file) {
+  arguments.option({.name = "sheet",
+                    .value = "FILE",
+                    .names = Names::file,
+                    .help = "also write a picture to choose the options by eye: what other values give, each labelled",
+                    .assign = into(file)});
 }
 
 void check_sheet(const std::string& file) {

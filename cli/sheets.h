@@ -9,7 +9,7 @@
 namespace texbake {
 
 /// `file` must outlive the parse.
-void add_sheet_flag(CLI::App& app, std::string& file);
+void add_sheet_flag(Arguments& arguments, std::string& file);
 /// Throws Error(usage) or Error(io) where no picture can be written to `file`; "" stands for no sheet.
 void check_sheet(const std::string& file);
 void write_sheet(const std::string& file, const Sheet& sheet);

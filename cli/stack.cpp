@@ -35,13 +35,21 @@ Outcome run(const Request& request, Console& console) {
   return written_bundle(request.output, {stack.stages.back()});
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("BUNDLES", request->inputs, "folders NAME.texbundle of one scale each, coarse to fine")
-      ->required()
-      ->type_name("");
-  app.add_option("-o,--output", request->output, "the bundle to write")->required()->type_name("BUNDLE");
-  add_flags(app, request->options, "Options");
+  arguments.positional({.name = "BUNDLES",
+                        .names = Names::folder,
+                        .help = "folders NAME.texbundle of one scale each, coarse to fine",
+                        .repeat = Repeat::each,
+                        .assign = into(request->inputs)});
+  arguments.option({.name = "output",
+                    .letter = 'o',
+                    .value = "BUNDLE",
+                    .names = Names::folder,
+                    .help = "the bundle to write",
+                    .required = true,
+                    .assign = into(request->output)});
+  add_flags(arguments, request->options, "Options");
   return [request](Console& console) { return run(*request, console); };
 }
 

@@ -11,11 +11,29 @@ Json stage_json(const Stage& stage) {
       {"verb", stage.verb}, {"version", stage.version}, {"parameters", stage.parameters}, {"figures", stage.figures}};
 }
 
+void add_output(Arguments& arguments, std::string& path, const char* standard) {
+  arguments.option({.name = "output",
+                    .letter = 'o',
+                    .value = "BUNDLE",
+                    .names = Names::folder,
+                    .standard = standard,
+                    .help = "the bundle to write",
+                    .assign = into(path)});
+}
+
 }  // namespace
 
-void add_bundle_paths(CLI::App& app, BundlePaths& paths) {
-  app.add_option("BUNDLE", paths.input, "a folder NAME.texbundle")->required()->type_name("");
-  app.add_option("-o,--output", paths.output, "the bundle to write; default: BUNDLE, in place")->type_name("BUNDLE");
+void add_new_bundle_path(Arguments& arguments, std::string& path) {
+  add_output(arguments, path, "NAME.texbundle here");
+}
+
+void add_changed_bundle_path(Arguments& arguments, std::string& path) {
+  add_output(arguments, path, "BUNDLE, in place");
+}
+
+void add_bundle_paths(Arguments& arguments, BundlePaths& paths) {
+  add_bundle_path(arguments, paths.input);
+  add_changed_bundle_path(arguments, paths.output);
 }
 
 Outcome written_bundle(const std::string& path, const std::vector<Stage>& stages) {

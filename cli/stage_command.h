@@ -19,8 +19,12 @@ struct BundlePaths {
   const std::string& target() const { return output.empty() ? input : output; }
 };
 
-/// Adds INPUT and -o. `paths` must outlive the parse.
-void add_bundle_paths(CLI::App& app, BundlePaths& paths);
+/// Adds BUNDLE and -o. `paths` must outlive the parse.
+void add_bundle_paths(Arguments& arguments, BundlePaths& paths);
+
+/// Adds -o: a new bundle beside nothing else, or the changed one. `path` must outlive the parse.
+void add_new_bundle_path(Arguments& arguments, std::string& path);
+void add_changed_bundle_path(Arguments& arguments, std::string& path);
 
 /// Reads the bundle, lets `change` work on it, writes it. The outcome tells the record of stage `verb`.
 Outcome change_bundle(const BundlePaths& paths, const std::string& verb, Console& console,
@@ -40,11 +44,11 @@ Command stage_command(const std::string& verb, const std::string& summary, const
     Options options;
     std::string sheet;
   };
-  const auto declare = [verb, run, sheet](CLI::App& app) -> Action {
+  const auto declare = [verb, run, sheet](Arguments& arguments) -> Action {
     const auto request = std::make_shared<Request>();
-    add_bundle_paths(app, request->paths);
-    add_flags(app, request->options, "Options");
-    if (sheet) add_sheet_flag(app, request->sheet);
+    add_bundle_paths(arguments, request->paths);
+    add_flags(arguments, request->options, "Options");
+    if (sheet) add_sheet_flag(arguments, request->sheet);
     return [verb, run, sheet, request](Console& console) {
       check_sheet(request->sheet);
       return change_bundle(request->paths, verb, console, [&](Bundle& bundle) {

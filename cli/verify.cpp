@@ -133,25 +133,24 @@ Outcome run(const Request& request, Console& console) {
   return outcome;
 }
 
-Action declare(CLI::App& app) {
+Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
-  app.add_option("BUNDLE", request->bundle, "a folder NAME.texbundle")->required()->type_name("");
+  add_bundle_path(arguments, request->bundle);
   const char* const shader = "The reference shader";
-  add_flags(app, request->gl, shader);
-  add_flags(app, request->options, shader);
+  add_flags(arguments, request->gl, shader);
+  add_flags(arguments, request->options, shader);
   const char* const engine = "An engine's frame";
-  app.add_option("--frame", request->frame.frame, "a captured picture to compare: EXR (linear) or PNG (sRGB)")
-      ->type_name("FILE")
-      ->group(engine);
-  app.add_option("--camera", request->frame.camera,
-                 "what it shows: {\"window\": {\"origin\": [x, y], \"step\": 1, \"seed\": 0, \"filter\": "
-                 "\"bilinear\", \"map\": null}}")
-      ->type_name("JSON")
-      ->group(engine);
-  app.add_option("--difference", request->frame.difference, "write where it differs; white is most, or NaN")
-      ->type_name("FILE")
-      ->group(engine);
-  add_flags(app, request->frame, engine);
+  const auto add_file = [&](const char* name, const char* value, const char* help, std::string& file) {
+    arguments.option(
+        {.name = name, .value = value, .names = Names::file, .help = help, .group = engine, .assign = into(file)});
+  };
+  add_file("frame", "FILE", "a captured picture to compare: EXR (linear) or PNG (sRGB)", request->frame.frame);
+  add_file("camera", "JSON",
+           "what it shows: {\"window\": {\"origin\": [x, y], \"step\": 1, \"seed\": 0, \"filter\": "
+           "\"bilinear\", \"map\": null}}",
+           request->frame.camera);
+  add_file("difference", "FILE", "write where it differs; white is most, or NaN", request->frame.difference);
+  add_flags(arguments, request->frame, engine);
   return [request](Console& console) { return run(*request, console); };
 }
 

@@ -63,7 +63,7 @@ only 'ceres/' libbake/noise/lobes.cpp
 only 'flann/' libbake/height/nearest_clicks.cpp libbake/quality/structure_distance.cpp
 only 'tbb/' libbake/base/parallel.h formats/exr_planes.cpp cli/limits.cpp
 only 'EGL/|GL/|GLES' libbake/gl/gl_functions.h libbake/gl/gl_context.cpp
-only 'CLI/' cli/command.h cli/convert_flags.h cli/global_options.h cli/option_flags.h
+only 'CLI/' cli/parser.cpp
 only 'nlohmann/' formats/bundle.h formats/issues.h
 
 # libbake never prints, never touches files, never exits.

@@ -3,52 +3,74 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "cli/parser.h"
+#include "libbake/content/select_contents.h"
 #include "libbake/segment/fragment.h"
 
 namespace texbake {
 namespace {
 
 using ::testing::HasSubstr;
+using Words = std::vector<std::string>;
 
 TEST(OptionFlags, EveryFieldIsAFlagWithItsUnitRangeAndDefault) {
-  CLI::App app;
+  Arguments arguments;
   FragmentOptions options;
-  add_flags(app, options, "Options");
-  const std::string help = app.help();
+  add_flags(arguments, options, "Options");
+  size_t i = 0;
   FragmentOptions::fields(options, [&](const auto&, const Field& field) {
-    EXPECT_THAT(help, HasSubstr(std::string("--") + field.name));
-    EXPECT_THAT(help, HasSubstr(field.unit));
+    ASSERT_LT(i, arguments.list().size());
+    const Argument& argument = arguments.list()[i++];
+    EXPECT_EQ(argument.name, field.name);
+    EXPECT_THAT(argument.value, HasSubstr(field.unit));
+    EXPECT_THAT(argument.help, HasSubstr(field.help));
+    EXPECT_NE(argument.standard, "");
   });
-  EXPECT_THAT(help, HasSubstr("default: auto ("));
-  EXPECT_THAT(help, HasSubstr("default: 1"));
+  EXPECT_EQ(i, arguments.list().size());
+  EXPECT_THAT(arguments.list().front().standard, HasSubstr("auto ("));
+  EXPECT_EQ(arguments.list().back().standard, "1");
+}
+
+TEST(OptionFlags, WordsOfAnEnumAreChoices) {
+  Arguments arguments;
+  SelectContentsOptions options;
+  add_flags(arguments, options, "Options");
+  const auto choices = [&](const std::string& name) {
+    return std::ranges::find(arguments.list(), name, &Argument::name)->choices;
+  };
+  EXPECT_EQ(choices("choice"), (Words{"impact", "balanced"}));
+  EXPECT_EQ(choices("search"), (Words{"exact", "refined", "auto"}));
+  EXPECT_EQ(choices("count"), Words());
 }
 
 TEST(OptionFlags, ValuesArriveInTheStruct) {
-  CLI::App app;
+  Arguments arguments;
   FragmentOptions options;
-  add_flags(app, options, "Options");
-  app.parse("--threshold 12.5 --seed=4294967295");
+  add_flags(arguments, options, "Options");
+  parse(arguments, Words{"--threshold", "12.5", "--seed=4294967295"});
   EXPECT_EQ(options.threshold, 12.5f);
   EXPECT_EQ(options.seed, 4294967295u);
   EXPECT_EQ(options.min_area_px, std::nullopt);
 }
 
 TEST(OptionFlags, PrefixKeepsEqualNamesApart) {
-  CLI::App app;
+  Arguments arguments;
   FragmentOptions first, second;
-  add_flags(app, first, "Options", "first-");
-  add_flags(app, second, "Options", "second-");
-  app.parse("--second-seed 9");
+  add_flags(arguments, first, "Options", "first-");
+  add_flags(arguments, second, "Options", "second-");
+  parse(arguments, Words{"--second-seed", "9"});
   EXPECT_EQ(first.seed, FragmentOptions().seed);
   EXPECT_EQ(second.seed, 9u);
 }
 
 TEST(OptionFlags, AWrongValueNamesTheFlagThatWasWritten) {
-  CLI::App app;
+  Arguments arguments;
   FragmentOptions options;
-  add_flags(app, options, "Options", "fragment-");
+  add_flags(arguments, options, "Options", "fragment-");
   try {
-    app.parse("--fragment-seed many");
+    parse(arguments, Words{"--fragment-seed", "many"});
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("--fragment-seed: expected a whole number"));
