@@ -105,7 +105,7 @@ std::string usage_of(const Verb& verb) {
   std::string text = fmt::format("texbake {} [OPTIONS]", verb.name()), positionals;
   for (const Argument& argument : verb.arguments.list()) {
     if (argument.form == Form::positional)
-      positionals += " " + heading_of(argument);
+      positionals += fmt::format(" {}", heading_of(argument));
     else if (argument.required)
       text += fmt::format(" --{} {}", argument.name, argument.value);
   }
