@@ -30,7 +30,7 @@ int main(int, char** argv) {
   return texbake::render_rows(planes, window, 0, 8).size() == 64 ? 0 : 1;
 }
 CPP
-cmake -S . -B build -DCMAKE_CXX_COMPILER="$2" -DCMAKE_PREFIX_PATH="$SCRATCH/prefix" -DCMAKE_CXX_STANDARD=20 > /dev/null
+cmake -G Ninja -S . -B build -DCMAKE_CXX_COMPILER="$2" -DCMAKE_PREFIX_PATH="$SCRATCH/prefix" -DCMAKE_CXX_STANDARD=20 > /dev/null
 cmake --build build > /dev/null
 build/consumer ../good.texbundle
 
