@@ -7,7 +7,7 @@
 #include "bake/option_json.h"
 #include "bake/provenance.h"
 #include "bake/running_stage.h"
-#include "formats/evaluator_input.h"
+#include "formats/drawn_bundle.h"
 #include "libbake/planes/prepare_stack.h"
 #include "libbake/planes/transfer_error.h"
 

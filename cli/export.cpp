@@ -4,13 +4,8 @@
 #include "cli/bundle_path.h"
 #include "cli/command.h"
 #include "cli/option_flags.h"
-#include "cli/stack_drawer.h"
 #include "formats/bundle_io.h"
-#include "formats/evaluator_input.h"
-#include "libbake/planes/levels.h"
-#include "libbake/planes/prepare.h"
-#include "libbake/planes/prepare_stack.h"
-#include "libbake/planes/stack_levels.h"
+#include "formats/drawn_bundle.h"
 #include "pages/web_export.h"
 
 namespace texbake {
@@ -37,23 +32,6 @@ struct Request {
   ExportOptions options;
 };
 
-/// The relief of the page; nullptr where it has none.
-std::shared_ptr<const ReliefPlanes> relief_for(const Scale& coarsest, const ExportOptions& options) {
-  constexpr float kSharePerSide = 1.0f / 32;
-  ReliefOptions relief;
-  if (coarsest.height)
-    relief.depth_px = kSharePerSide * static_cast<float>(std::min(coarsest.height->width(), coarsest.height->height()));
-  if (options.depth_px) relief.depth_px = *options.depth_px;
-  return relief_of(coarsest, relief, SlantOptions());
-}
-
-/// A page draws the relief of stacks; a tile with relief is a stack of one.
-bool is_stack(const Bundle& bundle, const ExportOptions& options) {
-  if (bundle.scales.size() > 1) return true;
-  const bool has_heights = bundle.scales.front().height.has_value() && options.depth_px.value_or(1) > 0;
-  return has_heights || options.depth_px.value_or(0) > 0;
-}
-
 Outcome run(const Request& request, Console& console) {
   if (!request.web)
     throw Error(ErrorKind::usage, "expected what to export for; --web is a folder that a browser opens");
@@ -61,19 +39,8 @@ Outcome run(const Request& request, Console& console) {
   const std::string folder = request.output.empty() ? default_web_folder(request.bundle) : request.output;
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
-  if (is_stack(bundle, request.options)) {
-    const std::vector<StackScale> scales = stack_input(bundle);
-    StackPlanes planes = prepare_stack(scales);
-    add_levels(planes, scales);
-    const auto relief = relief_for(bundle.scales.front(), request.options);
-    console.step("export");
-    export_web(planes, relief.get(), folder);
-  } else {
-    EvaluatorPlanes planes = prepare(evaluator_input(bundle));
-    add_levels(planes, planes.base);
-    console.step("export");
-    export_web(planes, folder);
-  }
+  console.step("export");
+  export_web(drawn_material(bundle), request.options.depth_px, folder);
   const std::string page = folder + "/index.html";
   return {.text = page + "\n", .result = {{"output", folder}, {"page", page}}};
 }

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "libbake/base/options.h"
-#include "libbake/gl/parity.h"
-#include "libbake/gl/perspective_parity.h"
-#include "libbake/planes/relief_planes.h"
-#include "libbake/planes/stack_planes.h"
+#include "libbake/draw/drawing.h"
+#include "libbake/gl/material_parity.h"
 
 namespace texbake {
 
@@ -54,46 +51,21 @@ struct GlOptions {
 /// What one driver gave in one language.
 struct LanguageParity {
   GlLanguage language = GlLanguage::core;
-  ParityReport report;
-  PerspectiveParity perspective = {};
-  PerspectiveParity relief = {};  ///< windows with relief; nothing where there is none
-
-  bool equal() const { return report.equal() && perspective.equal() && relief.equal(); }
+  MaterialParity parity;
 };
 
-/// A tile with heights, as a stack of one scale, whose levels were added.
-struct TileRelief {
-  const StackPlanes& stack;
-  const ReliefPlanes& relief;
-};
+/// Compares the evaluator with the shader in each language. Throws Error(unsupported) where there is no OpenGL, it is
+/// too old, or this texbake was built without it.
+std::vector<LanguageParity> gl_parity(const DrawnMaterial& material, GlLanguage language,
+                                      const std::optional<int>& device, const ParityOptions& options);
 
-/// Compares the evaluator with the shader in each language, with relief too where it is given. Throws
-/// Error(unsupported) where there is no OpenGL, it is too old, or this texbake was built without it. The levels of
-/// `planes` were added.
-std::vector<LanguageParity> gl_parity(const EvaluatorPlanes& planes, const std::optional<TileRelief>& relief,
-                                      GlLanguage language, const std::optional<int>& device,
-                                      const ParityOptions& options);
-
-/// The same for all scales of a stack together; with the relief of the coarsest, where it is given.
-std::vector<LanguageParity> gl_stack_parity(const StackPlanes& planes, const ReliefPlanes* relief, GlLanguage language,
-                                            const std::optional<int>& device, const ParityOptions& options);
-
-/// Draws rows row_begin ≤ j < row_end of a window.
+/// Draws rows row_begin ≤ j < row_end of a picture.
 using DrawRows = std::function<Image<V3f>(int row_begin, int row_end)>;
 
-/// Draws `plane`, whose levels were added where the view needs them, in OpenGL 3.3 core; borrows `planes`. Throws as
-/// gl_parity does.
-DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
-                       const std::optional<int>& device);
-DrawRows gl_row_drawer(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
-                       const std::optional<int>& device);
+/// Throws Error(usage) for a picture that `backend` does not draw.
+void check_backend(const DrawRequest& request, Backend backend);
 
-/// The same of all scales of a stack, with the relief of the coarsest where it is given, seen from `viewer` in a
-/// window; `keeper` lives as long as what is returned.
-DrawRows gl_stack_row_drawer(const StackPlanes& planes, const ReliefPlanes* relief, const Direction& viewer,
-                             const Window& window, const std::optional<int>& device,
-                             std::shared_ptr<const void> keeper);
-DrawRows gl_stack_row_drawer(const StackPlanes& planes, const ReliefPlanes* relief, const Perspective& view,
-                             const std::optional<int>& device, std::shared_ptr<const void> keeper);
+/// What draws `drawing`, which must live longer. Throws as gl_parity does.
+DrawRows row_drawer(const Drawing& drawing, const GlOptions& options);
 
 }  // namespace texbake

@@ -1,7 +1,9 @@
 #include "cli/relief_options.h"
 
 namespace texbake {
+namespace {
 
+/// "X,Y,Z" with z > 0.
 Direction parse_direction(std::string_view flag, const std::string& text) {
   const size_t first = text.find(','), second = first == std::string::npos ? first : text.find(',', first + 1);
   if (second == std::string::npos)
@@ -15,6 +17,12 @@ Direction parse_direction(std::string_view flag, const std::string& text) {
     throw Error(ErrorKind::usage,
                 fmt::format("--{}: expected a direction from above, Z > 0, found \"{}\"", flag, text));
   return direction;
+}
+
+}  // namespace
+
+Relief relief_of(const ReliefOptions& options, const SlantOptions& slant) {
+  return {options, parse_direction("view-direction", slant.view), parse_direction("light", slant.light)};
 }
 
 }  // namespace texbake

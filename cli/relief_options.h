@@ -4,7 +4,7 @@
 #include <string>
 
 #include "libbake/base/option_text.h"
-#include "libbake/planes/relief.h"
+#include "libbake/draw/drawing.h"
 
 namespace texbake {
 
@@ -21,7 +21,7 @@ struct SlantOptions {
   }
 };
 
-/// "X,Y,Z" with z > 0. Throws Error(usage).
-Direction parse_direction(std::string_view flag, const std::string& text);
+/// Throws Error(usage) for directions that are not "X,Y,Z" with z > 0.
+Relief relief_of(const ReliefOptions& options, const SlantOptions& slant);
 
 }  // namespace texbake

@@ -6,16 +6,11 @@
 #include "cli/command.h"
 #include "cli/gl_backend.h"
 #include "cli/option_flags.h"
-#include "cli/stack_drawer.h"
+#include "cli/relief_options.h"
 #include "cli/view_options.h"
 #include "formats/bundle_io.h"
-#include "formats/evaluator_input.h"
+#include "formats/drawn_bundle.h"
 #include "formats/image_writer.h"
-#include "libbake/draw/show.h"
-#include "libbake/draw/supersample.h"
-#include "libbake/draw/window_rows.h"
-#include "libbake/planes/levels.h"
-#include "libbake/planes/prepare.h"
 
 namespace texbake {
 namespace {
@@ -96,45 +91,6 @@ Deformation deformation_of(const DeformOptions& options) {
   return deformation_of(request);
 }
 
-/// The reference shader has no views: their tables are no part of what an engine binds.
-void check_show(const Request& request) {
-  const bool is_deformed = !deformation_of(request.deform).is_identity();
-  if (is_deformed && (request.map || request.options.show != Show::color))
-    throw Error(ErrorKind::usage,
-                "--rotate, --stretch, --turbulence: deform the colour alone; expected neither --map nor --show");
-  if (request.options.show == Show::color) return;
-  const std::string asked = fmt::format("--show {}", enum_name(request.options.show));
-  if (request.map) throw Error(ErrorKind::usage, asked + ": a view shows the texture; expected no --map beside it");
-  if (request.gl.backend == Backend::gl)
-    throw Error(ErrorKind::usage, asked + ": the reference shader draws colours and maps alone; use --backend cpu");
-  if (request.view.view == View::plane || request.view.supersample > 1)
-    throw Error(ErrorKind::usage, asked + ": a view shows whole texels; expected no --view plane or --supersample");
-}
-
-void check_deformation(const Request& request) {
-  if (deformation_of(request.deform).is_identity()) return;
-  if (request.view.view == View::plane || request.view.supersample > 1)
-    throw Error(
-        ErrorKind::usage,
-        "--rotate, --stretch, --turbulence: a flat window is deformed; expected no --view plane or --supersample");
-}
-
-void check_supersample(const Request& request) {
-  if (request.view.supersample > 1 && request.gl.backend == Backend::gl)
-    throw Error(ErrorKind::usage, "--supersample: the processor's alone; use --backend cpu");
-}
-
-void check_relief(const Request& request) {
-  parse_direction("light", request.slant.light);
-  parse_direction("view-direction", request.slant.view);
-  if (request.relief.depth_px == 0) return;
-  if (request.map || request.options.show != Show::color)
-    throw Error(ErrorKind::usage, "--relief: the texture is lit; expected no --map and no --show beside it");
-  if (request.view.view == View::plane) return;
-  if (request.view.supersample > 1)
-    throw Error(ErrorKind::usage, "--supersample: expected --view plane beside --relief, found a flat window");
-}
-
 /// Draws by strips of rows, so that a window of any size takes the same memory.
 void stream(const std::string& path, const PictureFormat& format, const DrawRows& draw_rows, Console& console) {
   const Progress progress = console.step("render");
@@ -149,84 +105,56 @@ void stream(const std::string& path, const PictureFormat& format, const DrawRows
   console.finish_step();
 }
 
-/// What draws a picture from the planes, whose levels are added where it needs them.
-DrawRows flat_drawer(const Request& request, EvaluatorPlanes& planes, const Plane& plane, PixelSize size) {
-  Window window = window_of(request.window, size, planes.size);
-  window.deformation = deformation_of(request.deform);
-  const int samples = request.view.supersample;
-  if (samples > 1)
-    return [&, window, samples](int begin, int end) {
-      return supersampled_rows(planes, plane, window, samples, begin, end);
-    };
-  if (request.options.show == Show::color && needs_levels(window)) add_levels(planes, plane);
-  if (request.gl.backend == Backend::gl) return gl_row_drawer(planes, plane, window, request.gl.gl_device);
-  if (!request.map)
-    return [&, window](int begin, int end) { return show_rows(planes, window, request.options.show, begin, end); };
-  return [&, window](int begin, int end) { return render_map_rows(planes, plane, window, begin, end); };
-}
-
-DrawRows plane_drawer(const Request& request, EvaluatorPlanes& planes, const Plane& plane, PixelSize size) {
-  const Perspective view = perspective_of(request.view, request.window, size, planes.size);
-  const int samples = request.view.supersample;
-  add_levels(planes, plane);
-  if (request.gl.backend == Backend::gl) return gl_row_drawer(planes, plane, view, request.gl.gl_device);
-  if (samples > 1)
-    return [&, view, samples](int begin, int end) {
-      return supersampled_perspective_rows(planes, plane, view, samples, begin, end);
-    };
-  return [&, view](int begin, int end) { return render_perspective_rows(planes, plane, view, begin, end); };
-}
-
-/// Whether all scales are drawn together; a map, or how the texture is put together, is that of the finest.
-bool draws_stack(const Request& request, const Bundle& bundle) {
-  const bool in_colour = !request.map && request.options.show == Show::color;
-  return in_colour && (bundle.scales.size() > 1 || has_relief(request.relief));
-}
-
-void render_stack(const Request& request, const Bundle& bundle, const std::string& path, Console& console) {
-  if (!deformation_of(request.deform).is_identity())
-    throw Error(ErrorKind::usage,
-                "--rotate, --stretch, --turbulence: a bundle of one scale is deformed, without --relief");
+/// What the options ask for, of a bundle whose finest scale has this size.
+DrawRequest draw_request_of(const Request& request, V2i tile_size) {
   const PixelSize size = parse_size("size", request.options.size);
-  const DrawRows draw_rows =
-      stack_drawer(bundle, {size, request.window, request.view, request.relief, request.slant, request.gl});
-  stream(path, {.width = size.width, .height = size.height, .samples = request.options.bits}, draw_rows, console);
+  DrawRequest picture;
+  if (request.view.view == View::plane) {
+    picture.view = perspective_of(request.view, request.window, size, tile_size);
+  } else {
+    Window window = window_of(request.window, size, tile_size);
+    window.deformation = deformation_of(request.deform);
+    picture.view = window;
+  }
+  picture.map = request.map.value_or("");
+  picture.show = request.options.show;
+  picture.samples = request.view.supersample;
+  picture.relief = relief_of(request.relief, request.slant);
+  return picture;
 }
 
-void render(const Request& request, const std::string& path, Console& console) {
-  console.step("read");
-  const Bundle bundle = read_bundle(request.bundle);
-  if (draws_stack(request, bundle)) return render_stack(request, bundle, path, console);
-  EvaluatorPlanes planes = prepare(evaluator_input(bundle));
-  const Plane& plane = chosen_plane(planes, request.map);
-  const PixelSize size = parse_size("size", request.options.size);
-  const DrawRows draw_rows = request.view.view == View::plane ? plane_drawer(request, planes, plane, size)
-                                                              : flat_drawer(request, planes, plane, size);
-  const PictureFormat format{.width = size.width,
-                             .height = size.height,
-                             .channels = plane.channels,
-                             .role = role_of(planes, plane),
-                             .samples = request.options.bits};
-  stream(path, format, draw_rows, console);
-}
-
-Outcome run(const Request& request, Console& console) {
-  const std::string path = request.output.empty() ? default_picture_path(request.bundle, ".png") : request.output;
+/// Everything that can be said without the bundle. A deformation of a plane is no part of a DrawRequest.
+void check(const Request& request, const std::string& path) {
   check_options(request.options);
   check_options(request.window);
   check_options(request.deform);
   check_options(request.gl);
   check_options(request.view);
-  check_view(request.view, request.window);
-  check_supersample(request);
-  check_deformation(request);
   check_options(request.relief);
-  check_show(request);
-  check_relief(request);
+  check_view(request.view, request.window);
+  if (request.view.view == View::plane && !deformation_of(request.deform).is_identity())
+    throw Error(ErrorKind::usage,
+                "--rotate, --stretch, --turbulence: a flat window is deformed; expected no --view plane beside them");
+  constexpr int kAnySide = 1 << 14;  // of a tile
+  const DrawRequest picture = draw_request_of(request, {kAnySide, kAnySide});
+  check_request(picture);
+  check_backend(picture, request.gl.backend);
   check_picture_name(path, request.options.bits);
-  parse_size("size", request.options.size);
   check_file_target(path);
-  render(request, path, console);
+}
+
+Outcome run(const Request& request, Console& console) {
+  const std::string path = request.output.empty() ? default_picture_path(request.bundle, ".png") : request.output;
+  check(request, path);
+  console.step("read");
+  const Bundle bundle = read_bundle(request.bundle);
+  const Drawing drawing(drawn_material(bundle), draw_request_of(request, bundle.scales.back().size()));
+  const PictureFormat format{.width = drawing.request().width(),
+                             .height = drawing.request().height(),
+                             .channels = drawing.channels(),
+                             .role = picture_role(bundle, drawing.request().map),
+                             .samples = request.options.bits};
+  stream(path, format, row_drawer(drawing, request.gl), console);
   return {.text = path + "\n", .result = {{"output", path}}};
 }
 

@@ -10,7 +10,7 @@
 #include "cli/option_flags.h"
 #include "cli/report_json.h"
 #include "formats/bundle_io.h"
-#include "formats/evaluator_input.h"
+#include "formats/drawn_bundle.h"
 #include "formats/safe_file.h"
 #include "libbake/report/report_input.h"
 #include "pages/report_page.h"

@@ -5,16 +5,12 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/gl_backend.h"
 #include "cli/option_flags.h"
-#include "cli/stack_drawer.h"
 #include "cli/verify_frame.h"
 #include "cli/verify_gl.h"
 #include "formats/bundle_io.h"
-#include "formats/evaluator_input.h"
-#include "libbake/planes/levels.h"
-#include "libbake/planes/prepare.h"
-#include "libbake/planes/prepare_stack.h"
-#include "libbake/planes/stack_levels.h"
+#include "formats/drawn_bundle.h"
 
 namespace texbake {
 namespace {
@@ -63,9 +59,6 @@ struct Request {
   FrameRequest frame;
 };
 
-/// Texels between height 0 and 1 where relief is compared.
-constexpr float kReliefDepth = 16;
-
 /// The bundle by itself.
 Outcome judged(const std::string& path) {
   const std::vector<Issue> issues = verify_bundle(path);
@@ -96,31 +89,17 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
   const bool draws = request.gl.backend == Backend::gl;
   if (!draws && request.frame.frame.empty()) return;
   const Bundle bundle = read_bundle(request.bundle);
-  EvaluatorPlanes planes = prepare(evaluator_input(bundle));
   if (!request.frame.frame.empty()) {
     console.step("compare the frame");
-    append(outcome, frame_outcome(request.frame, planes, console));
+    append(outcome, frame_outcome(request.frame, bundle, console));
   }
   if (!draws) return;
   console.step("compare with OpenGL");
-  add_levels(planes);
   ParityOptions options;
   options.windows = request.options.windows;
-  const GlLanguage language = request.options.gl_language;
-  const Scale& coarsest = bundle.scales.front();
-  const std::optional<int>& device = request.gl.gl_device;
-  if (bundle.scales.size() == 1 && !coarsest.height)
-    return append(outcome, parity_outcome(gl_parity(planes, {}, language, device, options), planes.size));
-  const std::vector<StackScale> scales = stack_input(bundle);
-  StackPlanes stack = prepare_stack(scales);
-  add_levels(stack, scales);
-  ReliefOptions relief;
-  relief.depth_px = kReliefDepth;
-  const auto heights = coarsest.height ? relief_of(coarsest, relief, SlantOptions()) : nullptr;
-  const std::vector<LanguageParity> parity =
-      bundle.scales.size() > 1 ? gl_stack_parity(stack, heights.get(), language, device, options)
-                               : gl_parity(planes, TileRelief{stack, *heights}, language, device, options);
-  append(outcome, parity_outcome(parity, planes.size));
+  const DrawnMaterial material = drawn_material(bundle);
+  append(outcome, parity_outcome(gl_parity(material, request.options.gl_language, request.gl.gl_device, options),
+                                 material.tile_size()));
 }
 
 Outcome run(const Request& request, Console& console) {

@@ -5,47 +5,39 @@
 #include "cli/bundle_path.h"
 #include "cli/camera.h"
 #include "cli/window_options.h"
+#include "formats/drawn_bundle.h"
 #include "formats/frame.h"
 #include "formats/image_writer.h"
 #include "formats/json_text.h"
 #include "libbake/draw/compare.h"
-#include "libbake/draw/window_rows.h"
-#include "libbake/planes/levels.h"
+#include "libbake/draw/drawing.h"
 
 namespace texbake {
 namespace {
 
-/// The reference of a frame, and what it shows.
-struct Reference {
-  const Plane& plane;
-  PictureRole role;
-  Camera camera;
-};
+/// What a frame of `size` pixels should show.
+DrawRequest draw_request_of(const Camera& camera, PixelSize size, V2i tile_size) {
+  return {.view = window_of(camera.window, size, tile_size), .map = camera.map.value_or("")};
+}
 
-Window window_for(const Reference& reference, const CapturedFrame& frame, V2i tile_size, const FrameRequest& request) {
-  const PixelSize size{frame.values.width(), frame.values.height()};
-  const auto& stated = reference.camera.frame_size;
+/// Throws Error(bad_data) where the frame has another size than the camera file says.
+void check_size(const Camera& camera, PixelSize size, const FrameRequest& request) {
+  const auto& stated = camera.frame_size;
   if (stated && (stated->width != size.width || stated->height != size.height))
     throw Error(ErrorKind::bad_data,
                 fmt::format("{}: expected {} x {} pixels, as {} says, found {} x {}", request.frame, stated->width,
                             stated->height, request.camera, size.width, size.height));
-  return window_of(reference.camera.window, size, tile_size);
 }
 
-Reference reference_of(const EvaluatorPlanes& planes, const std::string& camera_path) {
-  Camera camera = read_camera(camera_path);
+/// Channels of a frame of what the camera shows. Throws Error(bad_data) where the bundle cannot show it.
+int channels_of(const Camera& camera, const Bundle& bundle, const std::string& path) {
   try {
-    const Plane& plane = chosen_plane(planes, camera.map);
-    window_of(camera.window, {1, 1}, planes.size);
-    return {plane, role_of(planes, plane), std::move(camera)};
+    const V2i tile_size = bundle.scales.back().size();
+    const DrawRequest picture = draw_request_of(camera, {1, 1}, tile_size);
+    return drawn_channels(drawn_material(bundle), picture);
   } catch (const Error& error) {
-    throw Error(ErrorKind::bad_data, fmt::format("{}: window: {}", camera_path, error.what()));
+    throw Error(ErrorKind::bad_data, fmt::format("{}: window: {}", path, error.what()));
   }
-}
-
-Image<V3f> drawn(const EvaluatorPlanes& planes, const Reference& reference, const Window& window) {
-  return reference.role == PictureRole::color ? render_rows(planes, window, 0, window.height)
-                                              : render_map_rows(planes, reference.plane, window, 0, window.height);
 }
 
 /// Every difference as light: white is the greatest one, or NaN.
@@ -115,13 +107,15 @@ void check_request(const FrameRequest& request) {
   check_file_target(request.difference);
 }
 
-Outcome frame_outcome(const FrameRequest& request, EvaluatorPlanes& planes, Console& console) {
-  const Reference reference = reference_of(planes, request.camera);
-  const CapturedFrame frame = read_frame(request.frame, reference.role, reference.plane.channels);
+Outcome frame_outcome(const FrameRequest& request, const Bundle& bundle, Console& console) {
+  const Camera camera = read_camera(request.camera);
+  const int channels = channels_of(camera, bundle, request.camera);
+  const CapturedFrame frame = read_frame(request.frame, picture_role(bundle, camera.map.value_or("")), channels);
   for (const std::string& note : frame.notes) console.note(note);
-  const Window window = window_for(reference, frame, planes.size, request);
-  if (needs_levels(window)) add_levels(planes, reference.plane);
-  const Image<V3f> expected = drawn(planes, reference, window);
+  const PixelSize size{frame.values.width(), frame.values.height()};
+  check_size(camera, size, request);
+  const Drawing drawing(drawn_material(bundle), draw_request_of(camera, size, bundle.scales.back().size()));
+  const Image<V3f> expected = drawing.rows(0, size.height);
 
   const Image<V3f> expected_steps = in_steps(expected, frame.scale), found_steps = in_steps(frame.values, frame.scale);
   const float tolerance = request.tolerance.value_or(default_tolerance(frame.scale));

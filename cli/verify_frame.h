@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/command.h"
-#include "libbake/planes/prepare.h"
+#include "formats/bundle.h"
 
 namespace texbake {
 
@@ -30,8 +30,7 @@ struct FrameRequest {
 void check_request(const FrameRequest& request);
 
 /// What was found, for people and for JSON; ExitCode::no where the frame differs by more than the tolerance. Writes the
-/// difference where it was asked for, and adds levels to `planes` where the frame needs them. Throws Error for a frame
-/// or camera file that cannot be judged.
-Outcome frame_outcome(const FrameRequest& request, EvaluatorPlanes& planes, Console& console);
+/// difference where it was asked for. Throws Error for a frame or camera file that cannot be judged.
+Outcome frame_outcome(const FrameRequest& request, const Bundle& bundle, Console& console);
 
 }  // namespace texbake

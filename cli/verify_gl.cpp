@@ -58,9 +58,10 @@ Json json_of(const PerspectiveParity& parity) {
           {"differingValues", parity.differing_values}};
 }
 
-std::string text(const LanguageParity& parity, V2i tile_size) {
+std::string text(const LanguageParity& found, V2i tile_size) {
+  const MaterialParity& parity = found.parity;
   const ParityReport& report = parity.report;
-  std::string out = fmt::format("{} on {}: {}\n", full_name(parity.language), report.driver,
+  std::string out = fmt::format("{} on {}: {}\n", full_name(found.language), report.driver,
                                 parity.equal() ? "equals the processor" : "differs from the processor");
   out += fmt::format("  {} points, {} of {} contents: {} decisions, {} points and {} bits differ, {} points are NaN\n",
                      report.points, report.drawn_contents, report.contents, report.differing_decisions,
@@ -76,9 +77,10 @@ std::string text(const LanguageParity& parity, V2i tile_size) {
   return out;
 }
 
-Json json_of(const LanguageParity& parity, V2i tile_size) {
+Json json_of(const LanguageParity& found, V2i tile_size) {
+  const MaterialParity& parity = found.parity;
   const ParityReport& report = parity.report;
-  Json json = {{"language", enum_name(parity.language)},
+  Json json = {{"language", enum_name(found.language)},
                {"driver", report.driver},
                {"equal", parity.equal()},
                {"points", report.points},
@@ -108,10 +110,10 @@ Json json_of(const LanguageParity& parity, V2i tile_size) {
 Outcome parity_outcome(const std::vector<LanguageParity>& languages, V2i tile_size) {
   Outcome outcome;
   Json list = Json::array();
-  for (const LanguageParity& parity : languages) {
-    if (!parity.equal()) outcome.code = ExitCode::no;
-    outcome.text += text(parity, tile_size);
-    list.push_back(json_of(parity, tile_size));
+  for (const LanguageParity& found : languages) {
+    if (!found.parity.equal()) outcome.code = ExitCode::no;
+    outcome.text += text(found, tile_size);
+    list.push_back(json_of(found, tile_size));
   }
   outcome.result["gl"] = list;
   return outcome;

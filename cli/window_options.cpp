@@ -1,9 +1,6 @@
 #include "cli/window_options.h"
 
 #include <cmath>
-#include <vector>
-
-#include "libbake/base/suggestion.h"
 
 namespace texbake {
 namespace {
@@ -24,22 +21,6 @@ Window window_of(const WindowOptions& options, PixelSize size, V2i tile_size) {
   window.filter = options.filter;
   check_window(window, tile_size);
   return window;
-}
-
-const Plane& chosen_plane(const EvaluatorPlanes& planes, const std::optional<std::string>& name) {
-  if (!name) return planes.base;
-  if (const Plane* map = planes.map(*name)) return *map;
-  std::vector<std::string> known;
-  for (const Plane& map : planes.maps) known.push_back(map.name);
-  const std::string list =
-      known.empty() ? "the bundle has no maps" : fmt::format("the bundle has {}", fmt::join(known, ", "));
-  throw Error(ErrorKind::usage, fmt::format("--map: no map \"{}\"{}; {}", *name, suggestion(*name, known), list));
-}
-
-PictureRole role_of(const EvaluatorPlanes& planes, const Plane& plane) {
-  if (&plane == &planes.base) return PictureRole::color;
-  const bool normal = plane.kind == MapKind::normal_opengl || plane.kind == MapKind::normal_directx;
-  return normal ? PictureRole::normal : PictureRole::data;
 }
 
 }  // namespace texbake

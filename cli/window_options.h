@@ -4,10 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "formats/image_reader.h"
 #include "libbake/base/option_text.h"
 #include "libbake/draw/window.h"
-#include "libbake/planes/evaluator_planes.h"
 
 namespace texbake {
 
@@ -40,11 +38,5 @@ struct WindowOptions {
 
 /// Throws Error(usage) when the options do not name a window of the infinite texture.
 Window window_of(const WindowOptions& options, PixelSize size, V2i tile_size);
-
-/// The map `name`, or the base for nothing. Throws Error(usage), with a suggestion, when the bundle has no such map.
-const Plane& chosen_plane(const EvaluatorPlanes& planes, const std::optional<std::string>& name);
-
-/// What a picture of `plane` of `planes` is.
-PictureRole role_of(const EvaluatorPlanes& planes, const Plane& plane);
 
 }  // namespace texbake

@@ -13,6 +13,8 @@
 #include "formats/safe_file.h"
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
+#include "libbake/planes/prepare.h"
+#include "libbake/planes/prepare_stack.h"
 #include "libbake/reference/semantics.h"
 #include "pages/viewer_shaders.h"
 
@@ -122,6 +124,23 @@ void write_folder(const std::string& texture_script, const fs::path& folder) {
   for (const auto& [name, text] : kViewerFiles) write(name, text);
 }
 
+constexpr Direction kLight{-1, -1, 1.5f};  ///< as render's
+
+/// As deep as the stones of a wall are, seen from far enough to see several: a guess that a person may correct.
+float default_relief_px(const EvaluatorInput& coarsest) {
+  constexpr float kSharePerSide = 1.0f / 32;
+  const bool has_heights = std::any_of(coarsest.maps.begin(), coarsest.maps.end(),
+                                       [](const MapInput& map) { return map.kind == MapKind::height; });
+  return has_heights ? kSharePerSide * static_cast<float>(std::min(coarsest.base.width(), coarsest.base.height())) : 0;
+}
+
+/// The finest scale without its maps, which the page does not show.
+EvaluatorInput drawn_color(const DrawnMaterial& material) {
+  EvaluatorInput input = material.finest;
+  input.maps.clear();
+  return input;
+}
+
 }  // namespace
 
 std::string web_texture_script(const EvaluatorPlanes& planes) {
@@ -155,6 +174,18 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
   for_each_texture(relief ? *relief : flat, texture_adder(json));
   if (relief) glsl::ReliefUniforms::fields(*relief, uniform_adder(texture["relief"], "relief_"));
   return "texbake.open(" + texture.dump() + ");\n";
+}
+
+void export_web(const DrawnMaterial& material, std::optional<float> relief_px, const fs::path& folder) {
+  const EvaluatorInput& coarsest = material.scales.front().input;
+  ReliefOptions relief;
+  relief.depth_px = relief_px.value_or(default_relief_px(coarsest));
+  if (material.scales.size() == 1 && relief.depth_px == 0)
+    return export_web(prepare(drawn_color(material)), folder);
+  const StackPlanes planes = prepare_stack(material.scales);
+  if (relief.depth_px == 0) return export_web(planes, nullptr, folder);
+  const ReliefPlanes heights = relief_planes(coarsest, relief, kLight);
+  export_web(planes, &heights, folder);
 }
 
 void export_web(const EvaluatorPlanes& planes, const fs::path& folder) {

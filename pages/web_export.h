@@ -2,8 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
-#include "libbake/planes/prepare.h"
+#include "libbake/planes/drawn_material.h"
 #include "libbake/planes/relief_planes.h"
 #include "libbake/planes/stack_planes.h"
 
@@ -16,7 +17,7 @@ namespace texbake {
 ///                 "planes": {"patch_plane": {"format": "RG16UI", "width": W, "height": H, "data": "…"}, …}})
 /// with the planes and formats of shaders/README.md §2, little-endian, rows from the top; `fragments` (R32UI, the idx
 /// of each texel) where there are any; `base` is RGBA16F where that is exact, else RGBA32F; `base_levels` is rounded
-/// to RGBA16F, once. The levels of the base were added.
+/// to RGBA16F, once.
 /// A stack has, in place of what stands before the planes,
 ///   "scales": [{"size": [W, H], "ratio": r, "variation_fade": f, "level_count": L}, …], coarse to fine,
 /// and the planes of "Several scales"; with relief also
@@ -25,8 +26,13 @@ namespace texbake {
 inline constexpr const char* kWebFiles[] = {"index.html", "infinite_texture.js", "infinite_stack.js",
                                             "viewer.js",  "shaders.js",          "texture.js"};
 
-/// Makes `folder`, or replaces those files in one that an earlier export made. Throws Error(io) when the folder holds
-/// other things, or cannot be written; then nothing of an earlier export is lost.
+/// Makes `folder`, or replaces those files in one that an earlier export made. A material of several scales, or with
+/// relief, is a stack. `relief_px` is the depth of the relief in texels of the coarsest scale, 0 for none; nothing:
+/// 1/32 of that scale's shorter side, where it has heights. Throws Error(io) when the folder holds other things, or
+/// cannot be written; then nothing of an earlier export is lost; Error(usage) for relief without heights.
+void export_web(const DrawnMaterial& material, std::optional<float> relief_px, const std::filesystem::path& folder);
+
+/// The same of planes that are at hand; `relief` may be nullptr.
 void export_web(const EvaluatorPlanes& planes, const std::filesystem::path& folder);
 void export_web(const StackPlanes& planes, const ReliefPlanes* relief, const std::filesystem::path& folder);
 

@@ -1,7 +1,5 @@
 #include "libbake/draw/perspective.h"
 
-#include <cassert>
-
 #include "libbake/base/parallel.h"
 #include "libbake/draw/view_program.h"
 
@@ -20,9 +18,7 @@ struct Drawn {
   sampler2D levels;
 
   explicit Drawn(const Plane& plane)
-      : texels(sampler_of(plane.texels)), kind(plane_kind(plane.kind)), levels(sampler_of(plane.level_values)) {
-    assert(!plane.level_values.empty());
-  }
+      : texels(sampler_of(plane.texels)), kind(plane_kind(plane.kind)), levels(sampler_of(plane.level_values)) {}
   vec4 value(PerspectiveProgram& program, const Sight& sight) const {
     if (program.view_filter == 0) return program.texel_value(texels, kind, levels, program.texel_at(sight.probes.at));
     return program.probes_value(texels, kind, levels, sight.probes);

@@ -7,8 +7,8 @@
 
 namespace texbake {
 
-/// Rows row_begin ≤ j < row_end of the picture: values of `plane`, the planes' base or one of its maps, whose levels
-/// were added. The result does not depend on how it is cut into rows, nor on threads.
+/// Rows row_begin ≤ j < row_end of the picture: values of `plane`, the planes' base or one of its maps.
+/// The result does not depend on how it is cut into rows, nor on threads.
 Image<V3f> render_perspective_rows(const EvaluatorPlanes& planes, const Plane& plane, const Perspective& view,
                                    int row_begin, int row_end);
 

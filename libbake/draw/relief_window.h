@@ -11,7 +11,7 @@ namespace texbake {
 glsl::vec3 slant_of(const StackPlanes& planes, const Direction& viewer, const Window& window, int scale);
 
 /// render_stack_rows of a surface that all pixels see from one direction. A relief without depth, or a flat height map,
-/// gives render_stack_rows exactly. The levels of `planes` were added.
+/// gives render_stack_rows exactly.
 Image<V3f> render_relief_rows(const StackPlanes& planes, const ReliefPlanes& relief, const Direction& viewer,
                               const Window& window, int row_begin, int row_end);
 

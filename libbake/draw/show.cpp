@@ -92,6 +92,8 @@ V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Show
   return V3f(0);
 }
 
+}  // namespace
+
 void check_show(const EvaluatorPlanes& planes, Show show) {
   const bool lacks_fragments = show == Show::fragments && planes.fragment_idx.empty();
   const bool lacks_colors = (show == Show::index || show == Show::variation) && planes.dominant.empty();
@@ -107,8 +109,6 @@ void check_show(const EvaluatorPlanes& planes, Show show) {
     throw Error(ErrorKind::usage, fmt::format("--show {}: the bundle has none; run \"texbake {}\" on it first",
                                               enum_name(show), lacks_fragments ? "fragment" : "convert"));
 }
-
-}  // namespace
 
 Image<V3f> show_rows(const EvaluatorPlanes& planes, const Window& window, Show show, int row_begin, int row_end) {
   if (show == Show::color) return render_rows(planes, window, row_begin, row_end);

@@ -25,8 +25,11 @@ struct EnumNames<Show> {
       {Show::structure, "structure"}, {Show::noise, "noise"},     {Show::masks, "masks"}};
 };
 
+/// Throws Error(usage) when the planes lack what is to be shown.
+void check_show(const EvaluatorPlanes& planes, Show show);
+
 /// Rows of the window in linear Rec.709. All views but `color` show the nearest texel, whatever the filter. Throws
-/// Error(usage) when the planes lack what is to be shown.
+/// as check_show does.
 Image<V3f> show_rows(const EvaluatorPlanes& planes, const Window& window, Show show, int row_begin, int row_end);
 
 }  // namespace texbake

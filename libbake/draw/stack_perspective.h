@@ -8,8 +8,8 @@
 
 namespace texbake {
 
-/// Rows row_begin ≤ j < row_end of the picture. Origin and height of the view count in texels of the finest scale; the
-/// levels of `planes` were added. `relief`, where it is given, is that of the coarsest scale. The result does not
+/// Rows row_begin ≤ j < row_end of the picture. Origin and height of the view count in texels of the finest scale.
+/// `relief`, where it is given, is that of the coarsest scale. The result does not
 /// depend on how it is cut into rows, nor on threads. Throws as check_perspective does.
 Image<V3f> render_stack_perspective_rows(const StackPlanes& planes, const ReliefPlanes* relief, const Perspective& view,
                                          int row_begin, int row_end);

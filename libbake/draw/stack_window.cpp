@@ -52,8 +52,7 @@ ScaleView scale_view(const StackPlanes& planes, double texels) {
 
 ScaleView scale_view(const StackPlanes& planes, const Window& window) {
   ScaleView view = scale_view(planes, window.step_256 / 256.0);
-  if (needs_levels(window))
-    view.level_256 = level_256_of(window_in_scale(planes, window, view.scale), planes.level_count(view.scale));
+  view.level_256 = level_256_of(window_in_scale(planes, window, view.scale), planes.level_count(view.scale));
   // A scale that fades has no mean of its own beyond its last level.
   if (view.scale > 0) view.level_256 = std::min(view.level_256, 256 * planes.level_count(view.scale));
   return view;

@@ -24,8 +24,7 @@ ScaleView scale_view(const StackPlanes& planes, double texels);
 /// The same for a window, with the level of detail that its filter asks for: that of its step in the scale that shows.
 ScaleView scale_view(const StackPlanes& planes, const Window& window);
 
-/// Origin and step of a window count in texels of the finest scale. The levels of `planes` were added where the window
-/// needs_levels. Throws as check_window does.
+/// Origin and step of a window count in texels of the finest scale. Throws as check_window does.
 Image<V3f> render_stack_rows(const StackPlanes& planes, const Window& window, int row_begin, int row_end);
 
 /// The same with a view of the caller's choice. The window counts in texels of `view.scale`.

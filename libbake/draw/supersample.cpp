@@ -4,7 +4,6 @@
 
 #include "libbake/base/parallel.h"
 #include "libbake/draw/window_program.h"
-#include "libbake/reference/row_program.h"
 
 namespace texbake {
 namespace {
@@ -26,12 +25,12 @@ TileOffset after(const TileOffset& corner, uint64_t by_256, int side) {
 }
 
 /// The mean of value(program, point) over samples × samples points of every pixel.
-template <class Program, class Value>
-Image<V3f> mean_rows(const Program& shared, const Window& window, V2i tile_size, int samples, int row_begin,
+template <class Value>
+Image<V3f> mean_rows(const glsl::Program& shared, const Window& window, V2i tile_size, int samples, int row_begin,
                      int row_end, const Value& value) {
   Image<V3f> rows(window.width, row_end - row_begin);
   parallel_for(0, rows.height(), [&](int j) {
-    Program program = shared;
+    glsl::Program program = shared;
     for (int i = 0; i < rows.width(); ++i) {
       Imath::V3d sum(0);
       for (int l = 0; l < samples; ++l)
@@ -55,12 +54,11 @@ Image<V3f> supersampled_rows(const EvaluatorPlanes& planes, const Plane& plane, 
   check_window(window, planes.size);
   const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
   const int kind = plane_kind(plane.kind);
-  const auto value = [&](RowProgram& program, const Position& at) {
+  const auto value = [&](glsl::Program& program, const Position& at) {
     return window.filter == Filter::nearest ? program.texel_value(texels, kind, levels, program.texel_at(at))
                                             : program.level_value(texels, kind, levels, at, 0);
   };
-  return mean_rows(RowProgram(program_of(planes, window.seed)), window, planes.size, samples, row_begin, row_end,
-                   value);
+  return mean_rows(program_of(planes, window.seed), window, planes.size, samples, row_begin, row_end, value);
 }
 
 Image<V3f> supersampled_stack_rows(const StackPlanes& planes, const Window& window, int samples, int row_begin,

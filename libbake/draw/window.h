@@ -41,7 +41,4 @@ void check_window(const Window& window, V2i tile_size);
 /// filters, rounded, in 0 … 256 (level_count + 1); 0 for the others.
 int level_256_of(const Window& window, int level_count);
 
-/// Whether a window is drawn from levels beside level 0: add_levels must come before.
-inline bool needs_levels(const Window& window) { return level_256_of(window, 1) > 0; }
-
 }  // namespace texbake

@@ -1,7 +1,6 @@
 #include "libbake/draw/window_rows.h"
 
 #include <algorithm>
-#include <cassert>
 #include <vector>
 
 #include "libbake/base/parallel.h"
@@ -21,7 +20,7 @@ constexpr int kRowsInTask = 32;
 V3f color_of(const vec4& value) { return {value.x, value.y, value.z}; }
 
 /// Position of pixel (i, j): the columns and rows of a window are independent.
-Position position_of(RowProgram& program, const Window& window, int i, int j) {
+Position position_of(glsl::Program& program, const Window& window, int i, int j) {
   return program.pixel_position(origin_of(window), window.step_256,
                                 {static_cast<uint32_t>(i), static_cast<uint32_t>(j)});
 }
@@ -140,12 +139,11 @@ void draw_bilinear(RowProgram program, const Value& value, const Window& window,
 /// Every pixel by itself, at one level of detail.
 Image<V3f> draw_levels(const glsl::Program& shared, const Plane& plane, const Window& window, int level_256,
                        int row_begin, int row_end) {
-  assert(!plane.level_values.empty());
   const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
   const int kind = plane_kind(plane.kind);
   Image<V3f> rows(window.width, row_end - row_begin);
   parallel_for(0, rows.height(), [&](int j) {
-    RowProgram program(shared);
+    glsl::Program program = shared;
     for (int i = 0; i < rows.width(); ++i) {
       const Position at = position_of(program, window, i, row_begin + j);
       rows(i, j) = color_of(program.trilinear_value(texels, kind, levels, at, level_256));
@@ -173,15 +171,19 @@ Image<V3f> draw(const glsl::Program& program, const Value& value, const Window& 
   return rows;
 }
 
-/// At level 0, where borders of patches are soft.
-Image<V3f> draw_soft(const EvaluatorPlanes& planes, const Plane& plane, const Window& window, int row_begin,
-                     int row_end) {
+/// At level 0; `value` is what a texel shows of `plane` where one patch alone counts.
+template <class Value>
+Image<V3f> draw_texels(const EvaluatorPlanes& planes, const Plane& plane, const Window& window, const Value& value,
+                       int row_begin, int row_end) {
+  const glsl::Program program = program_of(planes, window.seed);
+  if (planes.first_level != 0) return draw(program, value, window, row_begin, row_end);
   const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
   const int kind = plane_kind(plane.kind);
-  const auto value = [=](RowProgram& program, const Texel& texel) {
-    return program.texel_value(texels, kind, levels, texel);
+  const auto soft_value = [=](RowProgram& row, const Texel& texel) {
+    const bool is_shared = (row.shared_texel(texel).y >> 20u) != 0;
+    return is_shared ? row.texel_value(texels, kind, levels, texel) : value(row, texel);
   };
-  return draw(program_of(planes, window.seed), value, window, row_begin, row_end);
+  return draw(program, soft_value, window, row_begin, row_end);
 }
 
 }  // namespace
@@ -196,22 +198,19 @@ Image<V3f> render_rows(const EvaluatorPlanes& planes, const Window& window, int 
   }
   if (const int level_256 = level_256_of(window, planes.level_count); level_256 > 0)
     return draw_levels(program_of(planes, window.seed), planes.base, window, level_256, row_begin, row_end);
-  if (planes.first_level == 0) return draw_soft(planes, planes.base, window, row_begin, row_end);
   const auto value = [](RowProgram& program, const Texel& texel) {
     return program.layered_value(program.base, texel, program.texel_source(texel));
   };
-  return draw(program_of(planes, window.seed), value, window, row_begin, row_end);
+  return draw_texels(planes, planes.base, window, value, row_begin, row_end);
 }
 
 Image<V3f> render_map_rows(const EvaluatorPlanes& planes, const Plane& map, const Window& window, int row_begin,
                            int row_end) {
   check_window(window, planes.size);
-  const glsl::Program program = program_of(planes, window.seed);
   if (const int level_256 = level_256_of(window, planes.level_count); level_256 > 0)
-    return draw_levels(program, map, window, level_256, row_begin, row_end);
-  if (planes.first_level == 0) return draw_soft(planes, map, window, row_begin, row_end);
+    return draw_levels(program_of(planes, window.seed), map, window, level_256, row_begin, row_end);
   const glsl::sampler2D plane = sampler_of(map.texels);
-  const auto draw_with = [&](const auto& value) { return draw(program, value, window, row_begin, row_end); };
+  const auto draw_with = [&](const auto& value) { return draw_texels(planes, map, window, value, row_begin, row_end); };
   switch (map.kind) {
     case MapKind::normal_opengl:
     case MapKind::normal_directx: {

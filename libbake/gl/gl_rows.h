@@ -10,8 +10,7 @@ namespace texbake {
 Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Plane& plane, const Window& window,
                    int row_begin, int row_end);
 
-/// The same of a stack, as render_stack_rows gives them or, with a renderer that has relief, render_relief_rows: the
-/// levels of `planes` were added where those need them.
+/// The same of a stack, as render_stack_rows gives them or, with a renderer that has relief, render_relief_rows.
 Image<V3f> gl_rows(GlRenderer& renderer, const StackPlanes& planes, const Direction& viewer, const Window& window,
                    int row_begin, int row_end);
 

@@ -55,7 +55,7 @@ void count_contents(const Frame& frame, int content_count, std::vector<bool>& se
 void add_frames(ParityReport& report, const Window& window, const std::string& plane, const Frame& expected,
                 const Frame& found);
 
-/// Base and every map of `planes`, whose levels were added.
+/// Base and every map of `planes`.
 ParityReport check_parity(const EvaluatorPlanes& planes, const GlContext& context, const ParityOptions& options = {});
 
 }  // namespace texbake

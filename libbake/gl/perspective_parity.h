@@ -29,7 +29,7 @@ struct PerspectiveParity {
   }
 };
 
-/// Views from near and far, with all filters, of base and maps of `planes`, whose levels were added.
+/// Views from near and far, with all filters, of base and maps of `planes`.
 PerspectiveParity check_perspective_parity(const EvaluatorPlanes& planes, const GlContext& context);
 
 /// The same of a stack, from heights at which each of its scales shows; with the relief of its coarsest scale where

@@ -29,12 +29,12 @@ struct Plane {
   MapKind kind = MapKind::plain;
   int channels = 3;
   Image<glsl::vec4> texels;
-  Image<glsl::vec4> level_values = {};  ///< see libbake/planes/levels.h; empty until add_levels
+  Image<glsl::vec4> level_values = {};  ///< of EvaluatorPlanes alone: levels.h
 };
 
-/// Everything that the evaluator binds. Arrays are ready for upload: contents are of width N_t and height P, centers of
-/// width P. level_count is 0 until add_levels.
-struct EvaluatorPlanes : glsl::NoiseUniforms, glsl::LevelUniforms {
+/// What the evaluator binds of level 0. Arrays are ready for upload: contents are of width N_t and height P, centers of
+/// width P.
+struct TilePlanes : glsl::NoiseUniforms {
   V2i size{0, 0};
   int patch_count = 1;
   int content_count = 1;  ///< N_t
@@ -48,12 +48,8 @@ struct EvaluatorPlanes : glsl::NoiseUniforms, glsl::LevelUniforms {
   Image<glsl::vec4> noise_tiles;  ///< one below the other, their levels of detail (noise_levels.h) to the right,
                                   ///< RGBA32F (or RGBA16F); one texel without noise
 
-  int soft_border_px = 0;  ///< as in EvaluatorInput
-  Image<glsl::ivec4> level_table;
-  Image<glsl::LevelBlock> level_blocks;
-  Image<glsl::PatchTexel> level_entries;
-  Image<glsl::MaskTexel> level_weights;  ///< of the base's levels; one texel without noise, and until they are added
-  Image<float> noise_gain;               ///< what levels have the noise of each texel multiplied with; empty: 1
+  int soft_border_px = 0;   ///< as in EvaluatorInput
+  Image<float> noise_gain;  ///< what levels have the noise of each texel multiplied with; empty: 1
 
   Image<uint32_t> fragment_idx;  ///< empty without fragments
   Image<float> variation;        ///< empty without colours
@@ -62,9 +58,26 @@ struct EvaluatorPlanes : glsl::NoiseUniforms, glsl::LevelUniforms {
   const Plane* map(const std::string& name) const;
 };
 
-/// The textures, with those of `drawn`: the base or a map of `planes`.
+/// Which patches lie under the blocks of each level of detail: level_lists.h.
+struct LevelTables : glsl::LevelUniforms {
+  Image<glsl::ivec4> level_table;
+  Image<glsl::LevelBlock> level_blocks;
+  Image<glsl::PatchTexel> level_entries;
+};
+
+/// Everything that the evaluator binds. The levels of detail of the base and of all maps are always there: with soft
+/// borders level 0 is drawn from them, and every view but a flat window of small pixels reads them.
+struct EvaluatorPlanes : TilePlanes, LevelTables {
+  Image<glsl::MaskTexel> level_weights;  ///< of the base's levels; one texel without noise
+
+  EvaluatorPlanes() = default;  ///< of no tile
+  /// Makes the levels, as levels.h says. Throws Error(infeasible) when they have 2^32 values or more.
+  explicit EvaluatorPlanes(TilePlanes tile);
+};
+
+/// The textures of level 0, with those of `drawn`: the base or a map of `planes`.
 template <class Visitor>
-void for_each_texture(const EvaluatorPlanes& planes, const Plane& drawn, Visitor&& visit) {
+void for_each_texture(const TilePlanes& planes, const Plane& drawn, Visitor&& visit) {
   using S = glsl::Samplers;
   visit(Texture{"patch_plane"}, planes.patch_plane, &S::patch_plane);
   visit(Texture{"contents"}, planes.contents, &S::contents);
@@ -72,6 +85,13 @@ void for_each_texture(const EvaluatorPlanes& planes, const Plane& drawn, Visitor
   visit(Texture{"base", Precision::exact_half}, drawn.texels, &S::base);
   visit(Texture{"masks"}, planes.masks, &S::masks);
   visit(Texture{"noise_tiles", Precision::exact_half}, planes.noise_tiles, &S::noise_tiles);
+}
+
+/// All textures.
+template <class Visitor>
+void for_each_texture(const EvaluatorPlanes& planes, const Plane& drawn, Visitor&& visit) {
+  using S = glsl::Samplers;
+  for_each_texture(static_cast<const TilePlanes&>(planes), drawn, visit);
   visit(Texture{"level_table"}, planes.level_table, &S::level_table);
   visit(Texture{"level_blocks"}, planes.level_blocks, &S::level_blocks);
   visit(Texture{"level_entries"}, planes.level_entries, &S::level_entries);

@@ -42,7 +42,7 @@ void add(std::vector<Part>& parts, size_t begin, const Part& part) {
 
 class Builder {
  public:
-  Builder(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists)
+  Builder(const StackScale& scale, const TilePlanes& planes, const LevelLists& lists)
       : planes_(planes), lists_(lists), labels_(fragment_plane(scale)), program_(program_of(planes, 0)) {
     program_.fragment_plane = sampler_of(labels_);
     for (size_t k = 0; k < classes_of(scale); ++k) taking_.push_back(entry(scale.transfer->weights, k));
@@ -121,7 +121,7 @@ class Builder {
             weight * double{taking_[static_cast<size_t>(labels.z)]}};
   }
 
-  const EvaluatorPlanes& planes_;
+  const TilePlanes& planes_;
   const LevelLists& lists_;
   Image<glsl::FragmentTexel> labels_;
   glsl::Program program_;
@@ -146,7 +146,7 @@ void store(const PartRow& row, glsl::ivec4* first, glsl::ivec4* other, uint64_t 
 
 }  // namespace
 
-Image<glsl::ivec4> fragment_shares(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists,
+Image<glsl::ivec4> fragment_shares(const StackScale& scale, const TilePlanes& planes, const LevelLists& lists,
                                    int last_level) {
   const Builder builder(scale, planes, lists);
   std::vector<PartRows> found;

@@ -13,7 +13,7 @@ namespace texbake {
 /// y from the corner of the block's repetition, 16 bits each; bits of the float share of the block times the share
 /// taken; texel of the tile that shows at the centre, x + 65536 y; number of the next one, 0 for none.) `planes` are
 /// those of the scale alone, `lists` theirs.
-Image<glsl::ivec4> fragment_shares(const StackScale& scale, const EvaluatorPlanes& planes, const LevelLists& lists,
+Image<glsl::ivec4> fragment_shares(const StackScale& scale, const TilePlanes& planes, const LevelLists& lists,
                                    int last_level);
 
 }  // namespace texbake

@@ -32,7 +32,7 @@ void number(LevelList& list, uint32_t least, uint64_t& count) {
   }
 }
 
-LevelList texel_list(const EvaluatorPlanes& planes, LevelLists& lists) {
+LevelList texel_list(const TilePlanes& planes, LevelLists& lists) {
   LevelList list;
   if (planes.soft_border_px > 0) {
     SoftCover soft = soft_cover(planes.patch_plane, planes.soft_border_px);
@@ -86,14 +86,14 @@ LevelBlock block_of(uint32_t first, std::span<const PatchTexel> entries) {
   return {first, owned | static_cast<uint32_t>(entries.size() - 1) << glsl::kBlockFollowingBit};
 }
 
-void store_list(const LevelList& list, EvaluatorPlanes& planes) {
+void store_list(const LevelList& list, LevelTables& tables) {
   if (list.corner.x < 0) return;
   for (int y = 0; y < list.cover.size.y; ++y)
     for (int x = 0; x < list.cover.size.x; ++x) {
       const uint32_t first = list.first_at({x, y});
       const auto entries = list.cover.at(x, y);
-      planes.level_blocks(list.corner.x + x, list.corner.y + y) = block_of(first, entries);
-      if (first > 0) std::copy(entries.begin(), entries.end(), planes.level_entries.begin() + first);
+      tables.level_blocks(list.corner.x + x, list.corner.y + y) = block_of(first, entries);
+      if (first > 0) std::copy(entries.begin(), entries.end(), tables.level_entries.begin() + first);
     }
 }
 
@@ -114,7 +114,7 @@ int shift_of(int n) {
 
 }  // namespace
 
-LevelLists level_lists(const EvaluatorPlanes& planes) {
+LevelLists level_lists(const TilePlanes& planes) {
   LevelLists lists;
   lists.lists.push_back(texel_list(planes, lists));
   const std::vector<V2i> grids = level_grids(planes.size);
@@ -133,24 +133,26 @@ LevelLists level_lists(const EvaluatorPlanes& planes) {
   return lists;
 }
 
-void store_lists(const LevelLists& lists, EvaluatorPlanes& planes) {
-  planes.level_count = lists.level_count();
-  planes.first_level = planes.soft_border_px > 0 ? 0 : 1;
-  planes.level_blocks = Image<LevelBlock>(planes.size.x, std::max(lists.block_rows, 1));
-  planes.level_entries = Image<PatchTexel>(kListWidth, list_rows(lists.count));
-  for (const LevelList& list : lists.lists) store_list(list, planes);
-  planes.level_table = Image<glsl::ivec4>(3, planes.level_count + 1, {0, 0, 0, 0});
-  for (int level = 0; level <= planes.level_count; ++level) {
+LevelTables level_tables(const LevelLists& lists, const TilePlanes& planes) {
+  LevelTables tables;
+  tables.level_count = lists.level_count();
+  tables.first_level = planes.soft_border_px > 0 ? 0 : 1;
+  tables.level_blocks = Image<LevelBlock>(planes.size.x, std::max(lists.block_rows, 1));
+  tables.level_entries = Image<PatchTexel>(kListWidth, list_rows(lists.count));
+  for (const LevelList& list : lists.lists) store_list(list, tables);
+  tables.level_table = Image<glsl::ivec4>(3, tables.level_count + 1, {0, 0, 0, 0});
+  for (int level = 0; level <= tables.level_count; ++level) {
     const size_t at = lists.list_of_level[static_cast<size_t>(level)];
     const V2i blocks = lists.lists[at].cover.size;
     // Without entries of its own, level 0 is where the text draws it from.
     const V2i corner = at == 0 ? V2i(-1) : lists.lists[at].corner;
     const V2i side(planes.size.x / blocks.x, planes.size.y / blocks.y);
     const V2i side_256 = side * 256;
-    planes.level_table(0, level) = {blocks.x, blocks.y, corner.x, corner.y};
-    planes.level_table(1, level) = {side_256.x, side_256.y, shift_of(side_256.x), shift_of(side_256.y)};
-    planes.level_table(2, level) = {noise_level_of(side, planes.noise_log2), 0, 0, 0};
+    tables.level_table(0, level) = {blocks.x, blocks.y, corner.x, corner.y};
+    tables.level_table(1, level) = {side_256.x, side_256.y, shift_of(side_256.x), shift_of(side_256.y)};
+    tables.level_table(2, level) = {noise_level_of(side, planes.noise_log2), 0, 0, 0};
   }
+  return tables;
 }
 
 }  // namespace texbake

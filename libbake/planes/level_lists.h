@@ -37,10 +37,10 @@ struct LevelLists {
 
 /// Reads patch_plane and soft_border_px of `planes`. Levels end before one with more than 4096 patches under a block.
 /// Throws Error(infeasible) when there are 2^32 values or more.
-LevelLists level_lists(const EvaluatorPlanes& planes);
+LevelLists level_lists(const TilePlanes& planes);
 
-/// Stores them as the evaluator reads them: level_count, first_level, level_table, level_blocks, level_entries.
-void store_lists(const LevelLists& lists, EvaluatorPlanes& planes);
+/// The same as the evaluator reads it.
+LevelTables level_tables(const LevelLists& lists, const TilePlanes& planes);
 
 /// Texels in a row of level_entries and of values.
 inline constexpr int kListWidth = glsl::kListWidth;

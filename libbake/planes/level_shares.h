@@ -1,4 +1,4 @@
-// The shares of blocks of texels from those of texels: what add_levels and level_weights have in common.
+// The shares of blocks of texels from those of texels: what level_values and level_weights have in common.
 #pragma once
 
 #include <algorithm>

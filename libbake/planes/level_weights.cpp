@@ -14,7 +14,7 @@ constexpr float kSteps = 2048;  ///< what the weights of a texel sum to
 
 /// What a texel's own patch shows there with `content`.
 /// `program` is bound to `planes`; what is called here of the text writes nothing.
-vec4 texel_weights(const EvaluatorPlanes& planes, glsl::Program& program, V2i p, int content) {
+vec4 texel_weights(const TilePlanes& planes, glsl::Program& program, V2i p, int content) {
   const glsl::Source source =
       program.source_of({{0, 0}, {p.x, p.y}}, decision_of(planes.patch_plane(p.x, p.y), content));
   const glsl::uvec4 weights = program.source_weights(source);
@@ -24,9 +24,8 @@ vec4 texel_weights(const EvaluatorPlanes& planes, glsl::Program& program, V2i p,
   return of * (gain / kSteps);
 }
 
-}  // namespace
-
-Image<vec4> level_weights(const EvaluatorPlanes& planes, const LevelLists& lists) {
+/// Means of the masks.
+Image<vec4> share_weights(const TilePlanes& planes, const LevelLists& lists) {
   glsl::Program program = program_of(planes, 0);
   const auto texel_share = [&](V2i p, uint32_t k, int content) {
     return k > 0 ? vec4{0, 0, 0, 0} : texel_weights(planes, program, p, content);
@@ -46,7 +45,8 @@ Image<glsl::MaskTexel> in_steps(const Image<vec4>& weights) {
   return rounded;
 }
 
-void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, Image<vec4>& weights) {
+/// Sets those of the texels that are several patches' where borders are soft. They are drawn as texels are.
+void add_texel_weights(const TilePlanes& planes, const LevelLists& lists, Image<vec4>& weights) {
   glsl::Program program = program_of(planes, 0);
   const LevelList& texels = lists.lists[0];
   for (int y = 0; y < texels.cover.size.y; ++y)
@@ -56,6 +56,14 @@ void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, I
       for (int content = 0; content < planes.content_count; ++content)
         weights.data()[first + static_cast<size_t>(content)] = texel_weights(planes, program, {x, y}, content);
     }
+}
+
+}  // namespace
+
+Image<glsl::MaskTexel> level_weights(const TilePlanes& planes, const LevelLists& lists) {
+  Image<vec4> weights = share_weights(planes, lists);
+  add_texel_weights(planes, lists, weights);
+  return in_steps(weights);
 }
 
 }  // namespace texbake

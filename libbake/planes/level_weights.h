@@ -5,17 +5,10 @@
 
 namespace texbake {
 
-/// Means of the masks in every share of `lists`, 0 … 1 and premultiplied by the patch's cover and by what `planes` have
-/// the noise multiplied with, in the layout of values (level_shares.h). A texel has the weights of its own patch, even
-/// where borders are soft. `planes` have noises.
-Image<glsl::vec4> level_weights(const EvaluatorPlanes& planes, const LevelLists& lists);
-
-/// The same in 1/2048, rounded to the nearest: those of a block may miss 2048 by a step for each share. As they are
-/// bound.
-Image<glsl::MaskTexel> in_steps(const Image<glsl::vec4>& weights);
-
-/// Sets those of the texels that are several patches' where borders are soft. They are drawn
-/// as texels are.
-void add_texel_weights(const EvaluatorPlanes& planes, const LevelLists& lists, Image<glsl::vec4>& weights);
+/// The weights of noises in every share of `lists`, in the layout of values (level_shares.h): means of the masks, 0 … 1
+/// and premultiplied by the patch's cover and by what `planes` have the noise multiplied with, in 1/2048, rounded to
+/// the nearest, so that those of a block may miss 2048 by a step for each share. A texel has the weights of its own
+/// patch, even where borders are soft. `planes` have noises.
+Image<glsl::MaskTexel> level_weights(const TilePlanes& planes, const LevelLists& lists);
 
 }  // namespace texbake

@@ -18,7 +18,7 @@ using glsl::vec4;
 /// What texels show of a plane, as shares: of every patch that counts there.
 class TexelValues {
  public:
-  TexelValues(const EvaluatorPlanes& planes, const Plane& plane, const LevelLists& lists, ImageView<vec4> values)
+  TexelValues(const TilePlanes& planes, const Plane& plane, const LevelLists& lists, ImageView<vec4> values)
       : planes_(planes), plane_(plane), lists_(lists), values_(values), program_(program_of(planes, 0)) {
     if (planes.soft_border_px > 0) local_mean_ = local_mean(plane.texels, planes.soft_border_px);
   }
@@ -83,7 +83,7 @@ class TexelValues {
     return program_.kind_value(sampler_of(pixels), plane_kind(plane_.kind), source);
   }
 
-  const EvaluatorPlanes& planes_;
+  const TilePlanes& planes_;
   const Plane& plane_;
   const LevelLists& lists_;
   ImageView<vec4> values_;
@@ -95,7 +95,7 @@ class TexelValues {
 /// What texels show of the structure, as shares, with what noise adds on the average, which belongs to their own patch.
 class StructureValues {
  public:
-  StructureValues(const EvaluatorPlanes& planes, const TexelValues& texels) : planes_(planes), texels_(texels) {}
+  StructureValues(const TilePlanes& planes, const TexelValues& texels) : planes_(planes), texels_(texels) {}
 
   vec4 operator()(V2i p, uint32_t k, int content) const {
     const vec4 share = texels_(p, k, content);
@@ -116,59 +116,41 @@ class StructureValues {
            2048.0f;
   }
 
-  const EvaluatorPlanes& planes_;
+  const TilePlanes& planes_;
   const TexelValues& texels_;
   mutable glsl::Program program_ = program_of(planes_, 0);  ///< what is called here of the text writes nothing
 };
 
 }  // namespace
 
-int value_rows(const LevelLists& lists, const EvaluatorPlanes& planes) {
+int value_rows(const LevelLists& lists, const TilePlanes& planes) {
   return list_rows(lists.count * static_cast<uint64_t>(planes.content_count));
 }
 
-LevelLists add_lists(EvaluatorPlanes& planes) {
-  LevelLists lists = level_lists(planes);
-  store_lists(lists, planes);
-  return lists;
-}
-
-void fill_levels(const LevelLists& lists, const Plane& plane, EvaluatorPlanes& planes, ImageView<vec4> values) {
+void fill_levels(const LevelLists& lists, const Plane& plane, const TilePlanes& planes, ImageView<vec4> values) {
   const uint64_t count = lists.count * static_cast<uint64_t>(planes.content_count);
   std::fill(values.begin() + count, values.end(), vec4{0, 0, 0, 0});
   TexelValues texels(planes, plane, lists, values);
   texels.fill_soft_texels();
-  if (plane.kind == MapKind::structure) {
+  if (plane.kind == MapKind::structure)
     LevelShares(lists, planes.content_count, values, StructureValues(planes, texels)).fill();
-    Image<vec4> weights = level_weights(planes, lists);
-    add_texel_weights(planes, lists, weights);
-    planes.level_weights = in_steps(weights);
-  } else {
+  else
     LevelShares(lists, planes.content_count, values, texels).fill();
-  }
 }
 
-namespace {
-
-void add_values(const LevelLists& lists, Plane& plane, EvaluatorPlanes& planes) {
+Image<vec4> level_values(const LevelLists& lists, const Plane& plane, const TilePlanes& planes) {
   auto values = Image<vec4>::unset(kListWidth, value_rows(lists, planes));
   fill_levels(lists, plane, planes, values);
-  plane.level_values = std::move(values);
+  return values;
 }
 
-}  // namespace
-
-void add_levels(EvaluatorPlanes& planes, const Plane& plane) {
-  const LevelLists lists = add_lists(planes);
-  if (&plane == &planes.base) add_values(lists, planes.base, planes);
-  for (Plane& map : planes.maps)
-    if (&map == &plane) add_values(lists, map, planes);
-}
-
-void add_levels(EvaluatorPlanes& planes) {
-  const LevelLists lists = add_lists(planes);
-  add_values(lists, planes.base, planes);
-  for (Plane& map : planes.maps) add_values(lists, map, planes);
+EvaluatorPlanes::EvaluatorPlanes(TilePlanes tile) : TilePlanes(std::move(tile)) {
+  const LevelLists lists = level_lists(*this);
+  static_cast<LevelTables&>(*this) = level_tables(lists, *this);
+  base.level_values = texbake::level_values(lists, base, *this);
+  for (Plane& plane : maps) plane.level_values = texbake::level_values(lists, plane, *this);
+  level_weights = base.kind == MapKind::structure ? texbake::level_weights(*this, lists)
+                                                  : Image<glsl::MaskTexel>(1, 1, glsl::MaskTexel{});
 }
 
 }  // namespace texbake

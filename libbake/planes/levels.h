@@ -9,20 +9,14 @@
 
 namespace texbake {
 
-/// Adds the levels of `plane`, the base or a map of `planes`, and the lists of patches that all planes
-/// share (level_lists.h). A share of a block is the mean, in double and rounded once to float, of those of the finer
-/// blocks that it consists of; of a texel it is what the evaluator shows, so normals are turned and heights scaled.
-/// With noise, shares of the base have the means of the noises too, and weights for what else the noises have in a
-/// block (level_weights.h, noise_levels.h). Throws Error(infeasible) when there are 2^32 values or more.
-void add_levels(EvaluatorPlanes& planes, const Plane& plane);
+/// Fills the values of `plane`, a plane of `planes`, in value_rows rows of kListWidth. A share of a block is the mean,
+/// in double and rounded once to float, of those of the finer blocks that it consists of; of a texel it is what the
+/// evaluator shows, so normals are turned and heights scaled. With noise, shares of the base have the means of the
+/// noises too; what else the noises have in a block are level_weights (level_weights.h, noise_levels.h).
+void fill_levels(const LevelLists& lists, const Plane& plane, const TilePlanes& planes, ImageView<glsl::vec4> values);
+int value_rows(const LevelLists& lists, const TilePlanes& planes);
 
-/// The same of the base and all maps.
-void add_levels(EvaluatorPlanes& planes);
-
-/// The two steps of it, for values that are kept elsewhere: the lists, which are added to `planes`; and the values of
-/// one plane, in value_rows rows of kListWidth, and with noise those of the masks, which are added.
-LevelLists add_lists(EvaluatorPlanes& planes);
-int value_rows(const LevelLists& lists, const EvaluatorPlanes& planes);
-void fill_levels(const LevelLists& lists, const Plane& plane, EvaluatorPlanes& planes, ImageView<glsl::vec4> values);
+/// The same in an image of its own.
+Image<glsl::vec4> level_values(const LevelLists& lists, const Plane& plane, const TilePlanes& planes);
 
 }  // namespace texbake

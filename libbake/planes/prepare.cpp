@@ -9,7 +9,6 @@
 #include "libbake/base/error.h"
 #include "libbake/base/parallel.h"
 #include "libbake/color/luv.h"
-#include "libbake/planes/levels.h"
 #include "libbake/planes/prepare_noise.h"
 
 namespace texbake {
@@ -121,7 +120,7 @@ Image<glsl::ivec4> content_table(const EvaluatorInput& input, int patch_count, V
   return table;
 }
 
-void add_colors(const PrincipalVariation& colors, EvaluatorPlanes& planes) {
+void add_colors(const PrincipalVariation& colors, TilePlanes& planes) {
   check_size(colors.index, planes.size, "index");
   check_size(colors.variation, planes.size, "variation");
   std::vector<V3f> dominants;
@@ -140,7 +139,7 @@ void add_colors(const PrincipalVariation& colors, EvaluatorPlanes& planes) {
 
 }  // namespace
 
-const Plane* EvaluatorPlanes::map(const std::string& name) const {
+const Plane* TilePlanes::map(const std::string& name) const {
   const auto found = std::find_if(maps.begin(), maps.end(), [&](const Plane& plane) { return plane.name == name; });
   return found == maps.end() ? nullptr : &*found;
 }
@@ -151,9 +150,9 @@ void check_soft_border_fits(int width_px, V2i size) {
                                                  max_soft_border_px(size), size.x, size.y, width_px));
 }
 
-EvaluatorPlanes prepare(const EvaluatorInput& input) {
+TilePlanes prepare_tile(const EvaluatorInput& input) {
   check_base(input.base);
-  EvaluatorPlanes planes;
+  TilePlanes planes;
   planes.size = {input.base.width(), input.base.height()};
   planes.base = base_plane(input.base);
   planes.patch_plane = patch_plane(input.patches, planes.size);
@@ -170,8 +169,9 @@ EvaluatorPlanes prepare(const EvaluatorInput& input) {
   if (input.colors) add_colors(*input.colors, planes);
   check_soft_border_fits(input.soft_border_px, planes.size);
   planes.soft_border_px = input.patches ? input.soft_border_px : 0;
-  if (planes.soft_border_px > 0) add_levels(planes);
   return planes;
 }
+
+EvaluatorPlanes prepare(const EvaluatorInput& input) { return EvaluatorPlanes(prepare_tile(input)); }
 
 }  // namespace texbake

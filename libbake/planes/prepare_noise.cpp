@@ -86,7 +86,7 @@ Image<glsl::vec4> stacked(const NoiseInput& input) {
 
 /// What a block of a level has for √s is √(s + c), s the structure's mean there and c what noise adds to it on the
 /// average: √s / √(s + c), over all texels by their weight of noise k.
-V3d root_share(const EvaluatorPlanes& planes, size_t k) {
+V3d root_share(const TilePlanes& planes, size_t k) {
   V3d structure(0);
   V3d whole(0);
   Imath::V4f alone(0);
@@ -103,7 +103,7 @@ V3d root_share(const EvaluatorPlanes& planes, size_t k) {
   return {ratio(structure.x, whole.x), ratio(structure.y, whole.y), ratio(structure.z, whole.z)};
 }
 
-void fill_levels(int count, EvaluatorPlanes& planes) {
+void fill_levels(int count, TilePlanes& planes) {
   const V2i size(1 << planes.noise_log2.x, 1 << planes.noise_log2.y);
   parallel_for(0, count, [&](int k) {
     const bool in_root = planes.noise_root != 0;
@@ -119,8 +119,7 @@ void fill_levels(int count, EvaluatorPlanes& planes) {
 
 }  // namespace
 
-void add_noise(const std::optional<NoiseInput>& input, EvaluatorPlanes& planes) {
-  planes.level_weights = Image<glsl::MaskTexel>(1, 1);
+void add_noise(const std::optional<NoiseInput>& input, TilePlanes& planes) {
   if (!input) {
     planes.masks = Image<glsl::MaskTexel>(1, 1);
     planes.noise_tiles = Image<glsl::vec4>(1, 1, {0, 0, 0, 0});

@@ -74,7 +74,7 @@ class StackBuilder {
   void add(const StackScale& scale, const ScaleTransfer* finer) {
     check_soft_border_fits(scale.input.soft_border_px, size_of(scale));
     planes_.push_back(strong_planes(scale));
-    const EvaluatorPlanes& own = planes_.back();
+    const TilePlanes& own = planes_.back();
     const ScaleTransfer transfer = scale.transfer ? *scale.transfer : ScaleTransfer{};
     fragments_.push_back(fragment_plane(scale));
     add_means(scale, transfer);
@@ -97,7 +97,7 @@ class StackBuilder {
     std::vector<const Image<glsl::PatchTexel>*> patch_planes;
     std::vector<const Image<glsl::ivec4>*> contents;
     std::vector<const Image<glsl::vec4>*> bases;
-    for (const EvaluatorPlanes& scale : planes_) {
+    for (const TilePlanes& scale : planes_) {
       patch_planes.push_back(&scale.patch_plane);
       contents.push_back(&scale.contents);
       bases.push_back(&scale.base.texels);
@@ -107,7 +107,7 @@ class StackBuilder {
     stack_.base = stacked(bases, kNothing);
     stack_.fragment_plane = stacked(pointers_to(fragments_), glsl::FragmentTexel{});
     stack_.local_mean = stacked_local_means();
-    EvaluatorPlanes& finest = planes_.back();
+    TilePlanes& finest = planes_.back();
     static_cast<glsl::NoiseUniforms&>(stack_) = finest;
     stack_.masks = std::move(finest.masks);
     stack_.noise_tiles = std::move(finest.noise_tiles);
@@ -138,7 +138,7 @@ class StackBuilder {
   }
 
   StackPlanes stack_;
-  std::vector<EvaluatorPlanes> planes_;
+  std::vector<TilePlanes> planes_;
   std::vector<Image<glsl::FragmentTexel>> fragments_;
   std::vector<Image<glsl::vec4>> local_means_;
   std::vector<std::vector<glsl::ivec4>> scales_{1};  ///< scale_table: the centres of all patches, then each scale
@@ -182,8 +182,7 @@ StackPlanes prepare_stack(const std::vector<StackScale>& given) {
   for (size_t s = 0; s < scales.size(); ++s)
     builder.add(scales[s], s + 1 < scales.size() ? scales[s + 1].transfer : nullptr);
   StackPlanes planes = builder.take();
-  if (std::any_of(scales.begin(), scales.end(), [](const StackScale& scale) { return soft_border_of(scale) > 0; }))
-    add_levels(planes, scales);
+  add_levels(planes, scales);
   return planes;
 }
 

@@ -22,15 +22,22 @@ void bind_uniforms(const Uniforms& planes, glsl::Program& program) {
   static_cast<Uniforms&>(program) = planes;
 }
 
-/// Borrows `planes`; draws the base.
-inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
+/// Level 0; borrows `planes`; draws the base.
+inline glsl::Program program_of(const TilePlanes& planes, uint32_t seed) {
   glsl::Program program;
   for_each_texture(planes, planes.base, sampler_binder(program));
   bind_uniforms<glsl::NoiseUniforms>(planes, program);
-  bind_uniforms<glsl::LevelUniforms>(planes, program);
   program.tile_size = {planes.size.x, planes.size.y};
   program.content_count = static_cast<uint32_t>(planes.content_count);
   program.seed = seed;
+  return program;
+}
+
+/// All levels; borrows `planes`; draws the base.
+inline glsl::Program program_of(const EvaluatorPlanes& planes, uint32_t seed) {
+  glsl::Program program = program_of(static_cast<const TilePlanes&>(planes), seed);
+  for_each_texture(planes, planes.base, sampler_binder(program));
+  bind_uniforms<glsl::LevelUniforms>(planes, program);
   return program;
 }
 

@@ -14,14 +14,14 @@
 namespace texbake {
 namespace {
 
-const Plane& heights_of(const EvaluatorPlanes& planes) {
+const Plane& heights_of(const TilePlanes& planes) {
   if (const Plane* heights = planes.map("height")) return *heights;
   throw Error(ErrorKind::usage,
               "--relief: expected a height map in the coarsest scale, found none; pass --map height=FILE to convert, "
               "or make one with \"texbake heightmap\"");
 }
 
-const Plane& normals_of(const EvaluatorPlanes& planes) {
+const Plane& normals_of(const TilePlanes& planes) {
   for (const Plane& map : planes.maps)
     if (map.kind == MapKind::normal_opengl || map.kind == MapKind::normal_directx) return map;
   throw Error(ErrorKind::usage,
@@ -35,7 +35,7 @@ void check_light(const Direction& light) {
 }
 
 /// Greatest, least and mean height that contents can show: relief shrinks with them.
-glsl::vec4 range_of(const EvaluatorPlanes& planes, const Plane& height) {
+glsl::vec4 range_of(const TilePlanes& planes, const Plane& height) {
   float least = height.texels(0, 0).x, most = least;
   double sum = 0;
   for (const glsl::vec4& texel : height.texels) {
@@ -78,9 +78,7 @@ Image<glsl::vec4> heights_and_normals(const Image<glsl::vec4>& heights, const Pl
 ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& options, const Direction& light) {
   EvaluatorInput input = coarsest;
   input.noise.reset();
-  input.soft_border_px = 0;  // not yet: levels are those of the relief
-  EvaluatorPlanes planes = prepare(input);
-  planes.soft_border_px = coarsest.patches ? coarsest.soft_border_px : 0;
+  const TilePlanes planes = prepare_tile(input);
   const Plane& heights = heights_of(planes);
   const Plane* const normals = options.shade_by == ShadeBy::normal ? &normals_of(planes) : nullptr;
   check_light(light);
@@ -94,11 +92,8 @@ ReliefPlanes relief_planes(const EvaluatorInput& coarsest, const ReliefOptions& 
   bound.relief_kind = options.shade_by == ShadeBy::none ? glsl::kUnlit : plane_kind(kind);
 
   Plane relief{"relief", kind, 4, heights_and_normals(heights.texels, normals, options.depth_px)};
-  planes.maps.clear();
-  planes.maps.push_back(std::move(relief));
-  add_levels(planes, planes.maps[0]);
-  bound.height_plane = std::move(planes.maps[0].texels);
-  bound.height_levels = std::move(planes.maps[0].level_values);
+  bound.height_levels = level_values(level_lists(planes), relief, planes);
+  bound.height_plane = std::move(relief.texels);
   return bound;
 }
 

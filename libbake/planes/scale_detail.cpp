@@ -75,7 +75,7 @@ Image<V3f> gained(const StackScale& scale, Image<V3f> detail) {
 
 }  // namespace
 
-EvaluatorPlanes strong_planes(const StackScale& scale) {
+TilePlanes strong_planes(const StackScale& scale) {
   EvaluatorInput input = scale.input;
   input.maps.clear();        // a stack passes colours alone
   input.soft_border_px = 0;  // their levels are made of the base with its gains
@@ -87,7 +87,7 @@ EvaluatorPlanes strong_planes(const StackScale& scale) {
       noises.push_back(times(tile, in_space(scale.strength, input.noise->space)));
     input.noise->tiles.assign(noises.begin(), noises.end());
   }
-  return prepare(input);
+  return prepare_tile(input);
 }
 
 Image<V3f> detail_of(const StackScale& scale) { return gained(scale, times(scale.input.base, scale.strength)); }

@@ -8,7 +8,7 @@ namespace texbake {
 
 inline V2i size_of(const StackScale& scale) { return {scale.input.base.width(), scale.input.base.height()}; }
 
-/// As of EvaluatorPlanes: 0 without patches.
+/// As of TilePlanes: 0 without patches.
 inline int soft_border_of(const StackScale& scale) { return scale.input.patches ? scale.input.soft_border_px : 0; }
 
 /// Colour classes; 1 where there are none.
@@ -23,7 +23,7 @@ inline glsl::vec4 texel_of(const V3f& color) { return {color.x, color.y, color.z
 std::vector<V3f> dominant_colors(const StackScale& scale);
 
 /// What the evaluator binds of the scale by itself, base and noise times its strength; with hard borders.
-EvaluatorPlanes strong_planes(const StackScale& scale);
+TilePlanes strong_planes(const StackScale& scale);
 
 /// The base times the scale's strength, with the gains of its classes. Of a scale with noise, the structure.
 Image<V3f> detail_of(const StackScale& scale);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "libbake/planes/fragment_shares.h"
+#include "libbake/planes/level_weights.h"
 #include "libbake/planes/levels.h"
 #include "libbake/planes/scale_detail.h"
 #include "libbake/planes/stacked.h"
@@ -43,8 +44,9 @@ Image<float> gain_of(const StackScale& scale) {
 
 /// The planes of one scale with the lists of the levels that it needs in a stack.
 struct LeveledScale {
-  EvaluatorPlanes planes;  ///< base: with its gains; map 0: the dominant colours, where they are read
+  TilePlanes planes;  ///< base: with its gains; map 0: the dominant colours, where they are read
   LevelLists lists = {};
+  LevelTables tables = {};
   Image<glsl::ivec4> shares = {};  ///< of fragments; empty where they pass no colours
   int level_count = 0;
 };
@@ -58,7 +60,7 @@ bool has_dominants(const std::vector<StackScale>& scales, size_t s) {
 
 LeveledScale leveled(const StackScale& scale, bool with_dominants) {
   LeveledScale leveled{strong_planes(scale)};
-  EvaluatorPlanes& planes = leveled.planes;
+  TilePlanes& planes = leveled.planes;
   planes.soft_border_px = soft_border_of(scale);
   planes.noise_gain = gain_of(scale);
   const Image<float> taking = taking_of(scale);
@@ -68,10 +70,11 @@ LeveledScale leveled(const StackScale& scale, bool with_dominants) {
         {"dominant", MapKind::plain, 3, Image<glsl::vec4>(planes.size.x, planes.size.y, {0, 0, 0, 0})});
     set_texels(planes.maps.back(), dominant_of(scale), taking);
   }
-  leveled.lists = add_lists(planes);
-  leveled.level_count = planes.level_count;
+  leveled.lists = level_lists(planes);
+  leveled.tables = level_tables(leveled.lists, planes);
+  leveled.level_count = leveled.tables.level_count;
   if (!scale.transfer) return leveled;
-  leveled.level_count = std::min(planes.level_count, last_level(scale.transfer->ratio));
+  leveled.level_count = std::min(leveled.level_count, last_level(scale.transfer->ratio));
   if (scale.transfer->mode == TransferMode::fragment)
     leveled.shares = fragment_shares(scale, planes, leveled.lists, leveled.level_count);
   return leveled;
@@ -88,10 +91,7 @@ void count_from(Image<glsl::ivec4>& shares, int row) {
 
 int last_level(int ratio) { return static_cast<int>(std::bit_width(static_cast<uint32_t>(ratio - 1))); }
 
-void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
-  if (!stack.level_blocks.empty()) return;
-  std::vector<StackScale> scales = given;
-  set_strengths(scales);
+void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
   std::vector<LeveledScale> leveled_scales;
   for (size_t s = 0; s < scales.size(); ++s) leveled_scales.push_back(leveled(scales[s], has_dominants(scales, s)));
 
@@ -104,13 +104,13 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   for (size_t s = 0; s < scales.size(); ++s) {
     LeveledScale& scale = leveled_scales[s];
     count_from(scale.shares, share_row);
-    if (scale.planes.first_level == 0) stack.scale_entry(1, static_cast<int>(s)).w |= glsl::kSoftBorders;
+    if (scale.tables.first_level == 0) stack.scale_entry(1, static_cast<int>(s)).w |= glsl::kSoftBorders;
     stack.scale_entry(2, static_cast<int>(s)) = {level_row, block_row, entry_row, scale.level_count};
     stack.scale_entry(3, static_cast<int>(s)).x = value_row;
     stack.scale_entry(3, static_cast<int>(s)).z = share_row;
-    tables.push_back(&scale.planes.level_table);
-    blocks.push_back(&scale.planes.level_blocks);
-    entries.push_back(&scale.planes.level_entries);
+    tables.push_back(&scale.tables.level_table);
+    blocks.push_back(&scale.tables.level_blocks);
+    entries.push_back(&scale.tables.level_entries);
     level_row += tables.back()->height();
     block_row += blocks.back()->height();
     entry_row += entries.back()->height();
@@ -128,7 +128,7 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
   stack.level_entries = stacked(entries, glsl::PatchTexel{});
   stack.base_levels = Image<glsl::vec4>::unset(kListWidth, value_row);
   for (size_t s = 0; s < scales.size(); ++s) {
-    EvaluatorPlanes& planes = leveled_scales[s].planes;
+    TilePlanes& planes = leveled_scales[s].planes;
     const LevelLists& lists = leveled_scales[s].lists;
     const glsl::ivec4& first = stack.scale_entry(3, static_cast<int>(s));
     const auto fill = [&](const Plane& plane, int row) {
@@ -136,7 +136,9 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& given) {
     };
     fill(planes.base, first.x);
     if (has_dominants(scales, s)) fill(planes.maps[0], first.y);
-    stack.level_weights = std::move(planes.level_weights);  // the finest's remain: others have none
+    if (s + 1 == scales.size())
+      stack.level_weights = planes.base.kind == MapKind::structure ? level_weights(planes, lists)
+                                                                   : Image<glsl::MaskTexel>(1, 1, glsl::MaskTexel{});
     leveled_scales[s] = {};
   }
   stack.fragment_shares = in_one(std::move(shares), glsl::ivec4{0, 0, 0, 0});

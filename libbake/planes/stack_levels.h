@@ -8,9 +8,9 @@
 
 namespace texbake {
 
-/// Adds the levels of `stack`, prepared from `scales`: of the coarsest scale all, of the others up to one block to a
-/// texel of the coarser scale, since they have faded into that then. Does nothing where they were added before:
-/// prepare_stack does it where borders of patches are soft. Throws as add_levels does.
+/// A part of prepare_stack: adds the levels of `stack`, made from `scales`, whose strengths are set. Of the coarsest
+/// scale all, of the others up to one block to a texel of the coarser scale, since they have faded into that then.
+/// Throws Error(infeasible) when a scale has 2^32 values or more.
 void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales);
 
 /// The level after which a scale of this ratio has faded: log2, rounded up.

@@ -15,7 +15,7 @@ struct StackScale {
   V3f strength{1};                          ///< what its colours are multiplied with: set_strengths
 };
 
-/// Sets the strength of every scale, as its transfer asks for; a part of prepare_stack and of add_levels.
+/// Sets the strength of every scale, as its transfer asks for; a part of prepare_stack.
 void set_strengths(std::vector<StackScale>& scales);
 
 }  // namespace texbake

@@ -6,7 +6,9 @@
 
 namespace texbake {
 
-/// Differs from Program in time alone. Not to be shared between threads.
+/// Differs from Program in time alone: its own `decide` and `texel_source` remember, the functions that it inherits do
+/// not see them. Hence it draws texels in which one patch shows, through texel_source; texels on soft borders, levels
+/// of detail and deformed windows go through inherited functions, without a memory. Not to be shared between threads.
 class RowProgram : public glsl::Program {
  public:
   explicit RowProgram(const glsl::Program& program) : Program(program) {}

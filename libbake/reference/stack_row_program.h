@@ -25,6 +25,8 @@ class ColorProgram : public Program {
     return color.value;
   }
 
+// The text once more, as functions of this class: those that it inherits call Program::coarser_color, these the one
+// above.
 #define PRECISE
 #include "shaders/stack_levels.glsl"
 #undef PRECISE
@@ -55,6 +57,7 @@ class StackRowProgram : public ColorProgram {
     return known.value;
   }
 
+// Likewise, so that it calls the scale_block above.
 #define PRECISE
 #include "shaders/stack_probes.glsl"
 #undef PRECISE
@@ -74,7 +77,7 @@ class StackRowProgram : public ColorProgram {
     }
   };
 
-  static constexpr uint32_t kSlots = 1 << 12;  ///< 256 KiB: what a core keeps near
+  static constexpr uint32_t kSlots = 1 << 12;  ///< 48 bytes each, 192 KiB: what a core keeps near
 
   /// Blocks side by side, and those above each other, have different slots.
   static uint32_t slot_of(const Texel& block, const Grid& grid) {

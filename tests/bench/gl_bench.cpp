@@ -91,7 +91,6 @@ void main() {
 
 void draw_plane(benchmark::State& state, const std::string& fragment_shader, Filter filter) {
   EvaluatorPlanes planes = random_tile({512, 512}, 5, Contents::moved, 1).planes();
-  add_levels(planes);
   const GlContext context({kLanguage, std::nullopt});
   GlRenderer renderer(context, planes, fragment_shader);
   const Perspective view = plane_view(filter);
@@ -108,7 +107,6 @@ void draw_stack(benchmark::State& state, WithRelief with_relief, Filter filter) 
   stack.add(random_scale({512, 512}, 5, Contents::moved, 1))
       .add(random_scale({512, 512}, 5, Contents::moved, 2), {.ratio = 16});
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   Image<float> height(512, 512);
   Random random(3, 1);
   for (float& h : height) h = random.uniform();

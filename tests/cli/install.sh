@@ -1,40 +1,41 @@
 #!/usr/bin/env bash
-# find_package(texbake) gives the library and the program, and examples/*.cpp do what the program does: install.sh
-# BUILD_FOLDER COMPILER
+# find_package(texbake) gives the library and the program, and examples/*.cpp, built against the installed package, do
+# what the program does: install.sh BUILD_FOLDER COMPILER
 . "$(dirname "$0")/scratch.sh"
 [ -z "$SANITIZE" ] || skip "installed in the release build only"
 cmake --install "$1" --prefix "$PWD/prefix" > /dev/null
 prefix/bin/texbake --version
 
-mkdir consumer && cd consumer
-cat > CMakeLists.txt <<'CMAKE'
+mkdir consumer
+cat > consumer/CMakeLists.txt <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
 project(consumer LANGUAGES CXX)
 find_package(texbake REQUIRED)
-add_executable(consumer main.cpp)
-target_link_libraries(consumer PRIVATE texbake::formats texbake::draw)
-add_executable(bake_photo bake_photo.cpp)
+add_executable(embed ${EXAMPLES}/embed.cpp)
+target_link_libraries(embed PRIVATE texbake::formats texbake::draw)
+add_executable(bake_photo ${EXAMPLES}/bake_photo.cpp)
 target_link_libraries(bake_photo PRIVATE texbake::bake)
 CMAKE
-cp "$SOURCE/examples/bake_photo.cpp" .
-cat > main.cpp <<'CPP'
-#include "formats/bundle_io.h"
-#include "libbake/draw/window.h"
+cmake -S consumer -B consumer/build -G Ninja -DCMAKE_CXX_COMPILER="$2" -DCMAKE_PREFIX_PATH="$PWD/prefix" \
+  -DCMAKE_CXX_STANDARD=20 -DEXAMPLES="$SOURCE/examples" > /dev/null
+cmake --build consumer/build > /dev/null
 
-int main(int, char** argv) {
-  const texbake::Bundle bundle = texbake::read_bundle(argv[1]);
-  const texbake::Scale& scale = bundle.scales.front();
-  const auto planes = texbake::prepare({.base = scale.base(), .patches = &*scale.patches, .contents = &*scale.contents});
-  texbake::Window window;
-  window.width = window.height = 8;
-  return texbake::render_rows(planes, window, 0, 8).size() == 64 ? 0 : 1;
+# Drawn from C++, a picture is that of the program to the bit: same_picture BUNDLE [MAP]
+same_picture() {
+  local map=()
+  [ $# -lt 2 ] || map=(--map "$2")
+  consumer/build/embed "$1" embedded.exr "${@:2}"
+  prefix/bin/texbake render "$1" -o rendered.exr --bits float --size 320x200 --origin -1000,250 "${map[@]}"
+  cmp embedded.exr rendered.exr || fail "embed draws another picture of $* than texbake render"
 }
-CPP
-cmake -G Ninja -S . -B build -DCMAKE_CXX_COMPILER="$2" -DCMAKE_PREFIX_PATH="$SCRATCH/prefix" -DCMAKE_CXX_STANDARD=20 > /dev/null
-cmake --build build > /dev/null
-build/consumer ../good.texbundle
+same_picture good.texbundle
+same_picture good.texbundle roughness
+same_picture good.texbundle normal
+same_picture layered.texbundle
+texbake stack good.texbundle layered.texbundle --ratio 4 -o stack.texbundle
+same_picture stack.texbundle
 
 # Baked from C++, the bundle is that of the program to the byte.
-build/bake_photo "$EXEMPLARS/pebbles.png" library.texbundle
-../prefix/bin/texbake bake "$EXEMPLARS/pebbles.png" -o program.texbundle
+consumer/build/bake_photo "$EXEMPLARS/pebbles.png" library.texbundle
+prefix/bin/texbake bake "$EXEMPLARS/pebbles.png" -o program.texbundle
 diff -r library.texbundle program.texbundle

@@ -19,21 +19,22 @@ ParityReport report_with(uint64_t decisions, uint64_t points) {
 
 TEST(VerifyGl, EqualInEveryLanguageIsDone) {
   const Outcome outcome =
-      parity_outcome({{GlLanguage::core, report_with(0, 0)}, {GlLanguage::es, report_with(0, 0)}}, {8, 8});
+      parity_outcome({{GlLanguage::core, {report_with(0, 0)}}, {GlLanguage::es, {report_with(0, 0)}}}, {8, 8});
   EXPECT_EQ(outcome.code, ExitCode::done);
   EXPECT_THAT(outcome.text, HasSubstr("OpenGL ES 3.0 on a driver: equals the processor"));
   EXPECT_EQ(outcome.result["gl"].size(), 2u);
 }
 
 TEST(VerifyGl, OneDifferingLanguageIsANo) {
-  EXPECT_EQ(parity_outcome({{GlLanguage::core, report_with(0, 0)}, {GlLanguage::es, report_with(0, 1)}}, {8, 8}).code,
-            ExitCode::no);
-  EXPECT_EQ(parity_outcome({{GlLanguage::core, report_with(1, 0)}}, {8, 8}).code, ExitCode::no);
+  EXPECT_EQ(
+      parity_outcome({{GlLanguage::core, {report_with(0, 0)}}, {GlLanguage::es, {report_with(0, 1)}}}, {8, 8}).code,
+      ExitCode::no);
+  EXPECT_EQ(parity_outcome({{GlLanguage::core, {report_with(1, 0)}}}, {8, 8}).code, ExitCode::no);
 }
 
 TEST(VerifyGl, OnePixelInTwentyMaySeeAnotherPlaceButNoneAnotherValue) {
   const auto code = [](uint64_t sights, uint64_t values) {
-    return parity_outcome({{GlLanguage::core, report_with(0, 0), {1000, sights, values}}}, {8, 8}).code;
+    return parity_outcome({{GlLanguage::core, {report_with(0, 0), {1000, sights, values}}}}, {8, 8}).code;
   };
   EXPECT_EQ(code(50, 0), ExitCode::done);
   EXPECT_EQ(code(51, 0), ExitCode::no);

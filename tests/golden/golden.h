@@ -148,7 +148,6 @@ inline Golden read_golden(const std::string& name) {
   if (!masks.empty())
     input.noise = NoiseInput{{masks.begin(), masks.end()}, {noises.begin(), noises.end()}, step, space};
   golden.planes = prepare(input);
-  add_levels(golden.planes);
   for (const auto& point : json.at("points")) golden.points.push_back(golden_point(point));
   return golden;
 }

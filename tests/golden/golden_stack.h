@@ -123,7 +123,6 @@ inline GoldenStack read_golden_stack(const std::string& name) {
   GoldenStack golden;
   golden.semantics = json.at("semantics");
   golden.planes = stack.planes();
-  add_levels(golden.planes, stack.scales());
   if (json.contains("relief")) golden.relief = golden_relief(json.at("relief"), stack.tiles.front());
   for (const auto& point : json.at("points")) golden.points.push_back(golden_stack_point(point));
   return golden;

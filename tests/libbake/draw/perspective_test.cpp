@@ -16,7 +16,6 @@ namespace {
 
 EvaluatorPlanes leveled(V2i size, int contents, uint64_t seed) {
   EvaluatorPlanes planes = random_tile(size, contents, Contents::moved, seed).planes();
-  add_levels(planes);
   return planes;
 }
 

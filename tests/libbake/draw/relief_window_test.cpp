@@ -29,7 +29,6 @@ struct HighTile {
   StackPlanes stack() const {
     const std::vector<StackScale> scales = {{input(), nullptr}};
     StackPlanes stack = prepare_stack(scales);
-    add_levels(stack, scales);
     return stack;
   }
   ReliefPlanes relief(const ReliefOptions& options, const Direction& light = kLight) const {
@@ -168,7 +167,6 @@ TEST(ReliefWindow, ANormalMapOfTheHeightsShadesAsTheHeightsDo) {
 TEST(ReliefWindow, AFrameIsTheWindowWithWhatWasFoundBehindIt) {
   SmallStack stack = two_scales({.ratio = 5}, Contents::turned);
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   const Image<float> height =
       tile_of({32, 16}, [](int x, int y) { return (x * 7 + y * 3) % 10 / 10.0; }).height.clone();
   EvaluatorInput input = stack.tiles.front().input();

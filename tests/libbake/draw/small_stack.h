@@ -6,7 +6,7 @@
 
 #include "libbake/base/half.h"
 #include "libbake/planes/prepare_stack.h"
-#include "small_tile.h"
+#include "tests/libbake/draw/small_tile.h"
 
 namespace texbake {
 

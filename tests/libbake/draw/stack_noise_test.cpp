@@ -40,7 +40,6 @@ SmallStack structure_of(SmallStack stack) {
 
 StackPlanes leveled(const SmallStack& stack) {
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   return planes;
 }
 
@@ -66,7 +65,6 @@ TEST(StackNoise, AStackOfOneScaleIsThatScale) {
         tile.soft_border_px = border_px;
         const StackPlanes planes = leveled(stack);
         EvaluatorPlanes single = prepare(tile.input());
-        if (border_px == 0) add_levels(single);
         for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear})
           for (const uint32_t step : {200u, 256u, 512u, 700u, 3000u, 20000u}) {
             const Window window = window_of(50, step, filter);

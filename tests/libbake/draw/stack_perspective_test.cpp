@@ -16,7 +16,6 @@ namespace {
 
 StackPlanes leveled(const SmallStack& stack) {
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   return planes;
 }
 
@@ -38,7 +37,6 @@ TEST(StackPerspective, AStackOfOneScaleIsThatScale) {
   SmallStack stack;
   stack.add(random_scale({64, 32}, 5, Contents::turned, 6));
   EvaluatorPlanes alone = prepare(stack.tiles.front().input());
-  add_levels(alone);
   const StackPlanes planes = leveled(stack);
   for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear, Filter::anisotropic}) {
     Perspective view = view_of(80, 60);

@@ -48,7 +48,6 @@ struct HighStack {
     std::vector<StackScale> scales = {{coarse_input(), nullptr}};
     if (is_stack) scales.push_back({fine.input(), &transfer});
     StackPlanes planes = prepare_stack(scales);
-    add_levels(planes, scales);
     return planes;
   }
   ReliefPlanes relief(const ReliefOptions& options) const { return relief_planes(coarse_input(), options, kLight); }

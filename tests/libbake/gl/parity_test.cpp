@@ -17,7 +17,6 @@ class Parity : public testing::TestWithParam<ShaderLanguage> {
     if (!context_) GTEST_SKIP() << "no OpenGL";
   }
   ParityReport check(EvaluatorPlanes planes, const ParityOptions& options) {
-    add_levels(planes);
     const ParityReport report = check_parity(planes, *context_, options);
     EXPECT_EQ(report.differing_decisions, 0u) << report.driver;
     EXPECT_EQ(report.differing_bits, 0u) << report.driver;

@@ -20,7 +20,6 @@ TEST(PerspectiveParity, TheShaderSeesTheSamePlane) {
   EvaluatorInput input = tile.input();
   input.maps.push_back({"height", MapKind::height, {grey}});
   EvaluatorPlanes planes = prepare(input);
-  add_levels(planes);
   for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
     const auto context = test_context(language);
     if (!context) GTEST_SKIP() << "no OpenGL";
@@ -35,7 +34,6 @@ TEST(PerspectiveParity, TheShaderSeesTheSameStack) {
   SmallStack stack = two_scales({.ratio = 5}, Contents::turned);
   stack.add(random_scale({48, 40}, 5, Contents::moved, 8), {.ratio = 8, .detail_mean = DetailMean::local});
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
     const auto context = test_context(language);
     if (!context) GTEST_SKIP() << "no OpenGL";
@@ -50,7 +48,6 @@ TEST(PerspectiveParity, TheShaderSeesTheSameRelief) {
   SmallStack stack = two_scales({.ratio = 5}, Contents::turned);
   for (ScaleTile& scale : stack.tiles) scale.tile.soft_border_px = 2;
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   // Waves of height, and normals that need not be theirs.
   Image<float> height(32, 16), normal[3] = {{32, 16}, {32, 16}, {32, 16}};
   for (int y = 0; y < 16; ++y)
@@ -85,7 +82,6 @@ TEST(PerspectiveParity, RowsOfAViewAreThoseOfTheWhole) {
   const auto context = test_context(ShaderLanguage::glsl_330);
   if (!context) GTEST_SKIP() << "no OpenGL";
   EvaluatorPlanes planes = random_tile({32, 32}, 3, Contents::moved, 12).planes();
-  add_levels(planes);
   GlRenderer renderer(*context, planes, perspective_fragment_shader(ShaderLanguage::glsl_330));
   Perspective view;
   view.width = 50;

@@ -17,7 +17,6 @@ class StackParity : public testing::TestWithParam<ShaderLanguage> {
   }
   void expect_equal(const SmallStack& stack, int windows = 16) {
     StackPlanes planes = stack.planes();
-    add_levels(planes, stack.scales());
     const ParityReport report = check_stack_parity(planes, *context_, {.windows = windows, .side = 128});
     EXPECT_EQ(report.differing_decisions, 0u) << report.driver;
     EXPECT_EQ(report.differing_bits, 0u) << report.driver;

@@ -13,7 +13,6 @@ TEST(LevelBias, EveryLevelIsUnbiasedWhereTheUsualOnesAreNot) {
   SmallTile tile = random_tile({64, 64}, 5, Contents::turned, 90);
   for (V3f& c : tile.base) c *= 0.25f;  // to 0 … 1
   EvaluatorPlanes planes = tile.planes();
-  add_levels(planes);
   const std::vector<LevelBias> biases = level_biases(planes, planes.base, 1, 3);
   ASSERT_EQ(biases.size(), 6u);
   for (const LevelBias& bias : biases) {
@@ -31,7 +30,6 @@ TEST(LevelBias, WithoutPatchesCheapLevelsAreRightUpToHalfABlock) {
   EvaluatorInput input;
   input.base = base;
   EvaluatorPlanes planes = prepare(input);
-  add_levels(planes);
   for (const LevelBias& bias : level_biases(planes, planes.base, 1, 1)) {
     EXPECT_EQ(bias.unbiased.worst, 0);
     EXPECT_EQ(bias.cheap.worst, 0);

@@ -13,7 +13,6 @@ namespace {
 
 EvaluatorPlanes leveled(const SmallTile& tile) {
   EvaluatorPlanes planes = tile.planes();
-  add_levels(planes);
   return planes;
 }
 
@@ -143,7 +142,6 @@ TEST(Levels, WithoutPatchesTheyAreThoseOfThePeriodicTile) {
   EvaluatorInput input;
   input.base = base;
   EvaluatorPlanes planes = prepare(input);
-  add_levels(planes);
   glsl::Program program = program_of(planes, 0);
   const glsl::vec4 mean = program.block_value(sampler_of(planes.base.texels), 0, sampler_of(planes.base.level_values),
                                               {{7, 7}, {0, 0}}, program.grid_of(4));
@@ -165,7 +163,6 @@ TEST(Levels, MapsAreAveragedAsTheyAreShownTurnedAndScaled) {
   input.maps.push_back({"down", MapKind::normal_directx, {channels[0], channels[1], channels[2]}});
   input.maps.push_back({"height", MapKind::height, {channels[0]}});
   EvaluatorPlanes planes = prepare(input);
-  add_levels(planes);
   Window texels;
   texels.width = texels.height = 64;
   texels.filter = Filter::nearest;

@@ -22,7 +22,6 @@ constexpr double kRounding = 0x1p-12 + 1e-5;
 
 EvaluatorPlanes leveled(const SmallTile& tile) {
   EvaluatorPlanes planes = tile.planes();
-  add_levels(planes);
   return planes;
 }
 

@@ -24,7 +24,6 @@ V3d color_of(const vec4& v) { return {v.x, v.y, v.z}; }
 
 StackPlanes leveled(const SmallStack& stack) {
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   return planes;
 }
 
@@ -151,7 +150,6 @@ TEST(StackLevels, TheCoarsestScaleHasTheLevelsOfItsBundle) {
   SmallStack stack = two_scales({.ratio = 4}, Contents::turned);
   const StackPlanes planes = leveled(stack);
   EvaluatorPlanes alone = prepare(stack.tiles.front().input());
-  add_levels(alone);
   Program program = program_of(planes, 7, {0, 0}), single = program_of(alone, 7 + 2654435769u);
   for (int i = 0; i < 500; ++i) {
     const glsl::Position at{{static_cast<uint32_t>(i % 3), static_cast<uint32_t>(i % 5)},

@@ -170,7 +170,6 @@ TEST(Grain, FadesWithTheLevelAsTheFootprintFadesItsLobes) {
   std::vector<Image<V3f>> tiles;
   tiles.push_back(realised(model, 0.125f));
   EvaluatorPlanes planes = planes_of(grey(), masks_of({1}), tiles);
-  add_levels(planes);
   for (int level = 1; level <= 3; ++level) {
     const Image<float> values = all_blocks(planes, level);
     EXPECT_NEAR(mean_of(values), 0.625, 1e-4) << level;

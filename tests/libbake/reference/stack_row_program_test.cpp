@@ -19,7 +19,6 @@ StackPlanes three_scales(TransferMode mode, DetailMean mean) {
   for (ScaleTile& tile : stack.tiles) tile.tile.soft_border_px = 2;
   add_noise(stack.tiles.back().tile, 2, 16, 4);
   StackPlanes planes = stack.planes();
-  add_levels(planes, stack.scales());
   return planes;
 }
 

@@ -1,4 +1,4 @@
-#include "formats/evaluator_input.h"
+#include "formats/drawn_bundle.h"
 
 namespace texbake {
 
@@ -24,9 +24,8 @@ NoiseInput noise_input(const Scale& scale, const NoiseModel& model) {
   return input;
 }
 
-}  // namespace
-
-EvaluatorInput evaluator_input(const Scale& scale) {
+/// Any scale by itself, without noise.
+EvaluatorInput scale_input(const Scale& scale) {
   EvaluatorInput input;
   input.base = scale.base();
   input.patches = pointer_to(scale.patches);
@@ -40,8 +39,10 @@ EvaluatorInput evaluator_input(const Scale& scale) {
   return input;
 }
 
+}  // namespace
+
 EvaluatorInput evaluator_input(const Bundle& bundle) {
-  EvaluatorInput input = evaluator_input(bundle.scales.back());
+  EvaluatorInput input = scale_input(bundle.scales.back());
   if (bundle.noise) input.noise = noise_input(bundle.scales.back(), *bundle.noise);
   return input;
 }
@@ -49,11 +50,20 @@ EvaluatorInput evaluator_input(const Bundle& bundle) {
 std::vector<StackScale> stack_input(const Bundle& bundle) {
   std::vector<StackScale> scales;
   for (const Scale& scale : bundle.scales) {
-    scales.push_back({evaluator_input(scale), pointer_to(scale.transfer)});
+    scales.push_back({scale_input(scale), pointer_to(scale.transfer)});
     scales.back().input.base = scale.exemplar;
   }
   if (bundle.noise) scales.back().input = evaluator_input(bundle);
   return scales;
+}
+
+DrawnMaterial drawn_material(const Bundle& bundle) { return {evaluator_input(bundle), stack_input(bundle)}; }
+
+PictureRole picture_role(const Bundle& bundle, const std::string& name) {
+  if (name.empty()) return PictureRole::color;
+  for (const Map& map : bundle.scales.back().maps)
+    if (map.name == name && kind_of(map) != MapKind::plain) return PictureRole::normal;
+  return PictureRole::data;
 }
 
 }  // namespace texbake
