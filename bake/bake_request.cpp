@@ -129,9 +129,8 @@ std::vector<const StageRow*> stages_for(const LayerOptions& layers) {
 void check_request(const BakeRequest& request) {
   for_each_stage_options(request, [](const std::string&, const auto& options) { check_options(options); });
   if (request.layers.layers == Layers::structure_noise && request.convert.storage.color == ColorForm::palette)
-    throw Error(
-        ErrorKind::usage,
-        "--layers structure+noise: expected --colour full, found palette: noise is what the palette leaves out");
+    throw Error(ErrorKind::usage,
+                "--layers structure+noise: expected --color full, found palette, which does not store the noise");
 }
 
 bool is_recipe(const std::string& path) { return fs::path(path).extension() == kRecipeExtension; }

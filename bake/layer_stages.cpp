@@ -22,8 +22,8 @@ Conversion palette_of(const Bundle& bundle, ImageView<const V3f> light) {
 void check_exemplar(const Scale& scale) {
   if (!scale.stores_exemplar)
     throw Error(ErrorKind::bad_data,
-                "expected a bundle with the exemplar, found the compact form without it (convert --colour palette), in "
-                "which the noise is lost; convert again with --colour full");
+                "expected a bundle with the exemplar, found the compact form without it (convert --color palette), in "
+                "which the noise is lost; convert again with --color full");
 }
 
 Json test_json(const SynthesisTest& test) {

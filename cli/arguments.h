@@ -30,8 +30,9 @@ enum class Names { nothing, file, folder };
 struct Argument {
   Form form = Form::option;
   std::string name = {};                  ///< without "--"; of a positional as the help shows it: BUNDLE
+  std::string alias = {};                 ///< another name of an option, accepted but not shown; "" for none
   char letter = 0;                        ///< the short name; 0 for none
-  std::string value = {};                 ///< what an option takes, in words: "1 to 64 colours"
+  std::string value = {};                 ///< what an option takes, in words: "1 to 64 colors"
   std::vector<std::string> choices = {};  ///< all words that it takes, where they can be listed
   Names names = Names::nothing;
   std::string standard = {};  ///< the default in words: "auto (how it is chosen)"; "" for none

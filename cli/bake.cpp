@@ -48,12 +48,12 @@ Action declare(Arguments& arguments) {
   // Declared first, so that flags that follow change what the recipe says.
   arguments.positional({.name = "INPUT",
                         .names = Names::file,
-                        .help = "a picture, or a recipe (.json) as \"info --recipe\" writes it",
+                        .help = "a picture, or a recipe (.json) as written by \"info --recipe\"",
                         .assign = [request](const std::string& input) { take_input(*request, input); }});
   add_new_bundle_path(arguments, request->output);
   arguments.flag(
       {.name = "if-changed",
-       .help = "do nothing when the bundle was made from the same files, with the same options, by this version",
+       .help = "do nothing if the bundle was made from the same files, with the same options, by this version",
        .assign = into(request->if_changed)});
   add_flags(arguments, request->bake.layers, "Options");
   add_convert_flags(arguments, request->bake.convert);
@@ -67,7 +67,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command bake_command() {
-  return {"bake", "picture or recipe → bundle: the whole chain, with defaults that suit most photographs",
+  return {"bake", "picture or recipe → bundle: run the whole chain, with defaults that suit most photographs",
           "  texbake bake leaves.jpg -o leaves.texbundle\n"
           "  texbake bake rock.png --map normal=rock_normal.png --patch-count 12\n"
           "  texbake bake moss.png --layers structure+noise --decompose-noises 2\n"

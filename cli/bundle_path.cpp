@@ -31,7 +31,7 @@ void check_parent_folder(const fs::path& path) {
   if (parent.empty()) parent = ".";
   std::error_code ignored;
   if (!fs::is_directory(parent, ignored)) refuse(path, "its folder does not exist; create it first");
-  if (access(parent.c_str(), W_OK | X_OK) != 0) refuse(path, "its folder cannot be written; check its permissions");
+  if (access(parent.c_str(), W_OK | X_OK) != 0) refuse(path, "its folder is not writable; check its permissions");
 }
 
 }  // namespace
@@ -47,16 +47,16 @@ std::string default_web_folder(const std::string& bundle) { return stem(bundle) 
 void check_bundle_target(const std::string& path) {
   std::error_code status;
   if (!fs::exists(path, status)) return check_parent_folder(path);
-  if (!fs::is_directory(path, status)) refuse(path, "expected a bundle (a folder) or nothing, found a file");
+  if (!fs::is_directory(path, status)) refuse(path, "expected a bundle (a folder) or an unused name, found a file");
   const bool is_bundle = fs::exists(fs::path(path) / kManifest, status);
   if (!is_bundle && !fs::is_empty(path, status))
-    refuse(path, "expected a bundle or nothing, found a folder with other content; give another -o");
-  if (access(path.c_str(), W_OK | X_OK) != 0) refuse(path, "the bundle cannot be written; check its permissions");
+    refuse(path, "expected a bundle or an unused name, found a folder with other content; choose another -o");
+  if (access(path.c_str(), W_OK | X_OK) != 0) refuse(path, "the bundle is not writable; check its permissions");
 }
 
 void check_file_target(const std::string& path) {
   std::error_code status;
-  if (fs::is_directory(path, status)) refuse(path, "expected a file or nothing, found a folder");
+  if (fs::is_directory(path, status)) refuse(path, "expected a file or an unused name, found a folder");
   check_parent_folder(path);
 }
 

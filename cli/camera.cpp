@@ -56,7 +56,7 @@ void check_types(const Json& window, const std::string& where) {
   check_type(window, "seed", where, is("seed", &Json::is_number_integer), "a whole number");
   check_type(window, "filter", where, is("filter", &Json::is_string), "the name of a filter");
   check_type(window, "map", where, is("map", &Json::is_string) || is("map", &Json::is_null),
-             "the name of a map, or null for the colour");
+             "the name of a map, or null for the color");
 }
 
 Json parsed(const std::string& path) {
@@ -64,7 +64,7 @@ Json parsed(const std::string& path) {
   if (fs::is_directory(path, error))
     throw Error(ErrorKind::io, fmt::format("{}: expected a camera file, found a folder", path));
   if (!std::ifstream(path))
-    throw Error(ErrorKind::io, fmt::format("{}: expected a camera file, found none that can be read", path));
+    throw Error(ErrorKind::io, fmt::format("{}: expected a readable camera file, found none", path));
   IssueLog log(path, IssueLog::OnError::throw_first);
   return parse_json(file_bytes(path), log);
 }
@@ -85,7 +85,7 @@ Camera camera_of(const Json& json, const std::string& where) {
   if (!window.is_object()) refuse(inside, "an object", window);
   check_types(window, inside);
   if (window.contains("origin"))
-    window["origin"] = joined(window["origin"], inside + ".origin", "[x, y], numbers or decimal texts", ',');
+    window["origin"] = joined(window["origin"], inside + ".origin", "[x, y] as numbers or decimal strings", ',');
   if (window.contains("size"))
     window["size"] = joined(window["size"], inside + ".size", "[width, height] in pixels", 'x');
 

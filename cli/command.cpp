@@ -4,7 +4,7 @@ namespace texbake {
 
 void add_bundle_path(Arguments& arguments, std::string& path) {
   arguments.positional(
-      {.name = "BUNDLE", .names = Names::folder, .help = "a folder NAME.texbundle", .assign = into(path)});
+      {.name = "BUNDLE", .names = Names::folder, .help = "the bundle: a folder NAME.texbundle", .assign = into(path)});
 }
 
 std::vector<Command> all_commands() {

@@ -34,7 +34,7 @@ Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
   arguments.positional({.name = "PICTURE",
                         .names = Names::file,
-                        .help = "the exemplar: any picture that OpenImageIO reads",
+                        .help = "the exemplar: any picture format that OpenImageIO reads",
                         .assign = into(request->convert.files.color.file)});
   add_new_bundle_path(arguments, request->output);
   add_convert_flags(arguments, request->convert);
@@ -45,7 +45,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command convert_command() {
-  return {"convert", "pictures → new bundle: the tile, its palette, and the maps of the material",
+  return {"convert", "pictures → new bundle: make the tile, its palette, and the maps of the material",
           "  texbake convert leaves.jpg -o leaves.texbundle\n"
           "  texbake convert rock.png --map normal=rock_normal.png --map height=rock_height.png\n"
           "  texbake convert wall.jpg --flatten 128 --sheet classes.png",

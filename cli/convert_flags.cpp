@@ -6,17 +6,16 @@ namespace texbake {
 
 void add_convert_flags(Arguments& arguments, ConvertRequest& request) {
   constexpr const char* kGroup = "Options of convert";
-  arguments.option(
-      {.name = "map",
-       .value = "NAME=FILE",
-       .help = "another picture of the same surface, such as normal, roughness, occlusion, metallic; height is relief "
-               "and counts among the colours; may be repeated",
-       .group = kGroup,
-       .repeat = Repeat::each,
-       .assign = [&request](const std::string& text) {
-         const NamedFile map = parse_named_file("map", text);
-         request.files.maps.push_back({.name = map.name, .file = map.file, .sha256 = ""});
-       }});
+  arguments.option({.name = "map",
+                    .value = "NAME=FILE",
+                    .help = "another picture of the same surface, such as normal, roughness, occlusion or metallic; "
+                            "\"height\" is relief, and also counts as a color coordinate; may be repeated",
+                    .group = kGroup,
+                    .repeat = Repeat::each,
+                    .assign = [&request](const std::string& text) {
+                      const NamedFile map = parse_named_file("map", text);
+                      request.files.maps.push_back({.name = map.name, .file = map.file, .sha256 = ""});
+                    }});
   for_each_options(request, [&](auto& options) { add_flags(arguments, options, kGroup); });
 }
 

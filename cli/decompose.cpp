@@ -29,8 +29,8 @@ Action declare(Arguments& arguments) {
   arguments.option({.name = "sheet",
                     .value = "FILE",
                     .names = Names::file,
-                    .help = "also write a picture to choose --local-size by eye: for each size, smallest on top, "
-                            "exemplar, structure, noise, and what is made of them again; the chosen one is framed",
+                    .help = "also write a picture for choosing --local-size by eye: for each size, smallest on top, "
+                            "the exemplar, structure, noise, and a synthesis of both; the chosen size is framed",
                     .assign = into(request->sheet)});
   return [request](Console& console) { return run(*request, console); };
 }
@@ -38,7 +38,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command decompose_command() {
-  return {"decompose", "bundle → bundle: structure and noise, and where each noise lives",
+  return {"decompose", "bundle → bundle: separate structure from noise, and find where each noise occurs",
           "  texbake decompose rock.texbundle --noises 2\n"
           "  texbake decompose rock.texbundle --local-size auto --sheet choice.png",
           declare};

@@ -6,7 +6,7 @@ namespace texbake {
 
 Command estimate_psd_command() {
   return stage_command<EstimatePsdOptions>(
-      "estimate-psd", "bundle → bundle: spectra and colours of the noises, and their values",
+      "estimate-psd", "bundle → bundle: estimate the spectra and colors of the noises, and bake their tiles",
       "  texbake estimate-psd rock.texbundle --spectrum-size 128", run_estimate_psd);
 }
 

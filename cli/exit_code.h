@@ -14,7 +14,7 @@ enum class ExitCode {
   unsupported = 5,  ///< a version or a feature this program does not know
   infeasible = 6,   ///< the algorithm cannot satisfy the request
   limit = 7,        ///< a limit the user set was reached
-  internal = 8,     ///< a mistake of the program
+  internal = 8,     ///< internal error (please report it)
   // 128 + the number of the signal that ended the program, temporary files removed:
   interrupted = 130,
   terminated = 143,

@@ -16,12 +16,15 @@ struct ExportOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.depth_px, Field{.name = "relief",
-                               .unit = "texels",
-                               .min = 0,
-                               .max = 1024,
-                               .help = "of the coarsest scale between height 0 and 1; 0: flat and unlit",
-                               .auto_help = "1/32 of the shorter side, where there are heights"});
+    visit(
+        self.depth_px,
+        Field{.name = "relief",
+              .unit = "texels",
+              .min = 0,
+              .max = 1024,
+              .help =
+                  "depth of the relief: texels of the coarsest scale between height 0 and height 1; 0: flat and unlit",
+              .auto_help = "1/32 of the shorter side, if there are heights"});
   }
 };
 
@@ -34,7 +37,7 @@ struct Request {
 
 Outcome run(const Request& request, Console& console) {
   if (!request.web)
-    throw Error(ErrorKind::usage, "expected what to export for; --web is a folder that a browser opens");
+    throw Error(ErrorKind::usage, "expected a target to export to: --web makes a folder that a browser opens");
   check_options(request.options);
   const std::string folder = request.output.empty() ? default_web_folder(request.bundle) : request.output;
   console.step("read");
@@ -56,7 +59,7 @@ Action declare(Arguments& arguments) {
                     .help = "the folder",
                     .assign = into(request->output)});
   arguments.flag({.name = "web",
-                  .help = "a page that shows the endless texture, opened from the disk, without a server",
+                  .help = "make a page that shows the endless texture; a browser opens it from disk, without a server",
                   .assign = into(request->web)});
   add_flags(arguments, request->options, "Options");
   return [request](Console& console) { return run(*request, console); };
@@ -65,7 +68,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command export_command() {
-  return {"export", "bundle → a self-contained folder for the web viewer",
+  return {"export", "bundle → web page: write a self-contained folder that shows the endless texture in a browser",
           "  texbake export leaves.texbundle --web -o leaves_web\n"
           "  texbake export rock.texbundle --web --relief 24",
           declare};

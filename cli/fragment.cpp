@@ -14,7 +14,8 @@ Sheet sheet(const Bundle& bundle, const FragmentOptions& options, const Progress
 }  // namespace
 
 Command fragment_command() {
-  return stage_command<FragmentOptions>("fragment", "bundle → bundle: small regions of one colour class",
+  return stage_command<FragmentOptions>("fragment",
+                                        "bundle → bundle: divide the tile into small regions of one color class",
                                         "  texbake fragment leaves.texbundle --threshold 20\n"
                                         "  texbake fragment leaves.texbundle --sheet fragments.png",
                                         run_fragment, sheet);

@@ -36,7 +36,7 @@ namespace {
 [[noreturn]] void refuse() {
   throw Error(ErrorKind::unsupported,
               "--backend gl: this texbake was built without OpenGL; build it where EGL/eglext.h and GL/glcorearb.h are "
-              "(Debian: libegl-dev libgl-dev)");
+              "installed (Debian: libegl-dev libgl-dev)");
 }
 
 }  // namespace

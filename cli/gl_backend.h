@@ -39,12 +39,14 @@ struct GlOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.backend, Field{.name = "backend", .help = "gl: the reference shader on OpenGL, without a window"});
+    visit(self.backend,
+          Field{.name = "backend",
+                .help = "cpu: the evaluator on the processor; gl: the reference shader on OpenGL, without a window"});
     visit(self.gl_device, Field{.name = "gl-device",
                                 .min = 0,
                                 .max = 63,
-                                .help = "number of the EGL device that draws",
-                                .auto_help = "Mesa without a display, else the default display"});
+                                .help = "index of the EGL device that draws",
+                                .auto_help = "Mesa without a display, otherwise the default display"});
   }
 };
 

@@ -6,12 +6,12 @@ namespace texbake {
 void add_global_flags(Arguments& arguments, GlobalOptions& options) {
   arguments.flag({.name = "quiet",
                   .letter = 'q',
-                  .help = "say nothing but errors",
+                  .help = "print errors only",
                   .group = kForEveryVerb,
                   .assign = into(options.quiet)});
   arguments.flag({.name = "verbose",
                   .letter = 'v',
-                  .help = "tell seconds, chosen values and memory",
+                  .help = "print times, automatically chosen values, and memory use",
                   .group = kForEveryVerb,
                   .excludes = "quiet",
                   .assign = into(options.verbose)});
@@ -19,12 +19,16 @@ void add_global_flags(Arguments& arguments, GlobalOptions& options) {
                   .help = "write one JSON object to stdout (schema: cli/output.schema.json)",
                   .group = kForEveryVerb,
                   .assign = into(options.json)});
-  Argument progress = option_of(options.progress, {.name = "progress", .help = "progress on stderr"}, "progress");
-  progress.standard = "auto (a line when stderr is a terminal)";
+  Argument progress =
+      option_of(options.progress, {.name = "progress", .help = "how progress is shown on stderr"}, "progress");
+  progress.standard = "auto (one line if stderr is a terminal)";
   progress.group = kForEveryVerb;
   arguments.option(progress);
-  const Field threads_field{
-      .name = "threads", .unit = "threads", .min = 0, .max = 1024, .help = "0 = all; never changes a result"};
+  const Field threads_field{.name = "threads",
+                            .unit = "threads",
+                            .min = 0,
+                            .max = 1024,
+                            .help = "number of threads; 0: all; never changes a result"};
   Argument threads = option_of(options.threads, threads_field, "threads");
   threads.letter = 'j';
   threads.group = kForEveryVerb;
@@ -34,7 +38,7 @@ void add_global_flags(Arguments& arguments, GlobalOptions& options) {
       {.name = "max-memory",
        .value = "SIZE such as 512M or 4G",
        .standard = "no limit",
-       .help = "end with exit code 7 rather than take more memory",
+       .help = "end with exit code 7 instead of using more memory than this",
        .group = kForEveryVerb,
        .repeat = Repeat::last,
        .assign = [&](const std::string& text) { options.max_memory_bytes = parse_bytes("max-memory", text); }});

@@ -16,12 +16,12 @@ struct PreviewOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.file, Field{.name = "preview", .unit = "FILE", .help = "write the tile, lit, as a picture"});
+    visit(self.file, Field{.name = "preview", .unit = "FILE", .help = "write a picture of the lit tile"});
     visit(self.depth_px, Field{.name = "preview-depth",
                                .unit = "texels",
                                .min = 0,
                                .max = 1000,
-                               .help = "how far the surface of the preview rises from height 0 to 1"});
+                               .help = "depth of the preview's relief between height 0 and height 1"});
   }
 };
 
@@ -62,11 +62,11 @@ Action declare(Arguments& arguments) {
       {.name = "CLICKS",
        .names = Names::file,
        .help = "heights of some texels: .json [{\"x\": 12, \"y\": 34, \"height\": 0.5}, ...], .csv (x,y,height), or a "
-               "grey picture with alpha 0 (without alpha: black) where there is none",
+               "gray picture whose alpha is 0 (without alpha: that is black) where no height is given",
        .assign = into(request->clicks)});
   add_changed_bundle_path(arguments, request->paths.output);
   arguments.flag({.name = "source-coordinates",
-                  .help = "clicks count in texels of the photograph instead of the tile's",
+                  .help = "click positions are texels of the photograph, not of the tile",
                   .assign = into(request->in_source)});
   add_flags(arguments, request->options, "Options");
   add_flags(arguments, request->preview, "Options");
@@ -76,7 +76,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command heightmap_command() {
-  return {"heightmap", "bundle + a few heights → bundle: a height map from clicks on features that look alike",
+  return {"heightmap", "bundle, a few heights → bundle: propagate clicks to a height map, by features that look alike",
           "  texbake heightmap bricks.texbundle clicks.json --preview bricks_lit.png\n"
           "  texbake heightmap bricks.texbundle strokes.png -o relief.texbundle",
           declare};

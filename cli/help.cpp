@@ -90,7 +90,7 @@ int help_width() {
 std::string description_of(const Argument& argument) {
   std::string text = argument.help;
   if (argument.required && argument.form == Form::option) text += "; required";
-  if (!argument.excludes.empty()) text += fmt::format("; not beside --{}", argument.excludes);
+  if (!argument.excludes.empty()) text += fmt::format("; not together with --{}", argument.excludes);
   if (!argument.standard.empty()) text += fmt::format("; default: {}", argument.standard);
   return text;
 }
@@ -119,7 +119,7 @@ std::string help_text(const CommandLine& line, int width) {
   writer.paragraph("Usage: texbake VERB [OPTIONS] ...");
   writer.heading("Verbs");
   for (const Verb& verb : line.verbs()) writer.entry(verb.name(), verb.command.summary);
-  writer.entry("help", "the help of a verb: texbake help VERB, as texbake VERB --help");
+  writer.entry("help", "show the help of a verb: texbake help VERB, the same as texbake VERB --help");
   writer.arguments(line.program());
   writer.arguments(line.common());
   writer.examples(kProgramExample);

@@ -32,7 +32,7 @@ Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
   add_bundle_path(arguments, request->bundle);
   arguments.flag({.name = "recipe",
-                  .help = "write the recipe from which bake makes the same bundle",
+                  .help = "write a recipe from which bake makes the same bundle",
                   .assign = into(request->recipe)});
   return [request](Console& console) { return run(*request, console); };
 }
@@ -40,7 +40,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command info_command() {
-  return {"info", "bundle → text, JSON or recipe: every field with its shape and unit",
+  return {"info", "bundle → text, JSON or recipe: list every field with its shape and unit",
           "  texbake info leaves.texbundle\n"
           "  texbake info leaves.texbundle --recipe > leaves.json",
           declare};

@@ -34,8 +34,8 @@ void add_color_fields(const Scale& scale, FieldList& fields) {
                      "weight of each noise");
   if (!scale.colors) return;
   fields.add("palette", fmt::format("{}x(3+3) float", scale.colors->palette.classes.size()), "CIELUV (D65)",
-             "dominant colours and principal variations");
-  fields.add_plane("index", " uint", "class", "colour class of each texel");
+             "dominant colors and principal variations");
+  fields.add_plane("index", " uint", "class", "color class of each texel");
   fields.add_plane("variation", " half", "ΔE", "coordinate along the principal variation");
 }
 
@@ -43,17 +43,18 @@ void add_shape_fields(const Scale& scale, FieldList& fields) {
   if (scale.fragments) {
     const int count = scale.fragments->partition.count();
     fields.add_plane("fragment", " uint + owner offset", "fragment", "fragment of each texel");
-    fields.add("fragments", fmt::format("{}", count), "texels, linear light", "centre, area, class, mean colour");
+    fields.add("fragments", fmt::format("{}", count), "texels, linear light", "center, area, class, mean color");
   }
   if (scale.patches) {
     fields.add_plane("patch", " uint + owner offset", "patch", "patch of each texel");
-    fields.add("patches", fmt::format("{}", scale.patches->partition.count()), "texels", "centre and area");
+    fields.add("patches", fmt::format("{}", scale.patches->partition.count()), "texels", "center and area");
   }
   if (scale.contents)
     fields.add("contents", fmt::format("{}x{}", scale.contents->patch_count, scale.contents->content_count),
                "texels, ΔE⁴", "translation, rotation, scale, impact; the first is the identity");
   if (scale.soft_border_px > 0)
-    fields.add("softBorder", fmt::format("{}", scale.soft_border_px), "texels", "on either side, where patches blend");
+    fields.add("softBorder", fmt::format("{}", scale.soft_border_px), "texels",
+               "width over which patches blend, on either side");
 }
 
 void add_map_fields(const Scale& scale, FieldList& fields) {
@@ -77,16 +78,16 @@ void add_noise_fields(const NoiseModel& model, FieldList& fields) {
     fields.add("spectrum" + number, fmt::format("{0}x{0}x3 float", noise.spectrum_size()), "magnitude, light",
                "of each channel of the noise");
     fields.add("noise tile" + number, fmt::format("{}x{}x3 half", noise.tile.width(), noise.tile.height()),
-               "linear Rec.709 light", "values of the noise, row after row");
+               "linear Rec.709 light", "values of the noise, row by row");
     for (const NoiseChannel& channel : noise.channels) lobes += channel.lobes.lobes.size();
   }
   fields.add("noise lattice", fmt::format("(x + {} y) mod {}", model.lattice.row_step, model.lattice.count),
-             "number of a value", "which value of the noises a texel shows");
-  fields.add("colour bases", fmt::format("{}x(3+3x3) float", model.noises.size()), "linear Rec.709 light",
-             "mean and axes of the noises' colours");
+             "index of a value", "which value of the noises a texel shows");
+  fields.add("color bases", fmt::format("{}x(3+3x3) float", model.noises.size()), "linear Rec.709 light",
+             "mean and axes of the noises' colors");
   fields.add("histograms", fmt::format("{}x{} float", 3 * model.noises.size(), Equalisation::kEntries), "light",
              "transfer of each channel, -4 to 4 standard deviations");
-  fields.add("lobes", fmt::format("{}", lobes), "cycles per texel", "compact spectra, where they fit");
+  fields.add("lobes", fmt::format("{}", lobes), "cycles per texel", "compact spectra, if accurate enough");
 }
 
 Json fields_json(const Scale& scale, const NoiseModel* noise) {
@@ -120,7 +121,7 @@ std::string scale_text(const Json& scale) {
   std::string text = fmt::format("scale {}: {} x {} texels\n", scale["name"].get<std::string>(),
                                  scale["width"].get<int>(), scale["height"].get<int>());
   if (scale.contains("transfer"))
-    text += fmt::format("  takes colours from the scale before: {}\n", compact_json(scale["transfer"]));
+    text += fmt::format("  takes colors from the scale before: {}\n", compact_json(scale["transfer"]));
   for (const Json& field : scale["fields"])
     text +=
         fmt::format("  {:<16} {:<32} {:<22} {}\n", field["name"].get<std::string>(), field["shape"].get<std::string>(),

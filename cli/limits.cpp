@@ -35,11 +35,12 @@ ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_)
 void limit_memory(uint64_t bytes) {
   const uint64_t taken = data_bytes();
   if (taken > bytes)
-    throw Error(ErrorKind::limit, fmt::format("--max-memory: the program takes {} MiB before it begins, {} MiB granted",
-                                              taken >> 20, bytes >> 20));
+    throw Error(ErrorKind::limit,
+                fmt::format("--max-memory: the program takes {} MiB before it begins, but only {} MiB are allowed",
+                            taken >> 20, bytes >> 20));
   const rlimit limit{bytes, bytes};
   if (setrlimit(RLIMIT_DATA, &limit) != 0)
-    throw Error(ErrorKind::unsupported, "--max-memory: this system does not let a program limit its memory");
+    throw Error(ErrorKind::unsupported, "--max-memory: this system does not allow a program to limit its memory");
 }
 
 uint64_t peak_memory_bytes() {

@@ -38,11 +38,17 @@ Argument option_of(T& value, const Field& field, const std::string& name) {
           .assign = [&value, name, field](const std::string& text) { assign_text(value, name, field, text); }};
 }
 
-/// Adds every field of `options`, which must outlive the parse, as --PREFIXNAME under the heading `group`.
+/// The flag of a field. It is the field's name, but for a name that bundles record in another spelling.
+inline std::string_view flag_of(std::string_view field_name) { return field_name == "colour" ? "color" : field_name; }
+
+/// Adds every field of `options`, which must outlive the parse, as --PREFIXFLAG under the heading `group`.
+/// The name of a field whose flag differs from it is accepted too.
 template <class Options>
 void add_flags(Arguments& arguments, Options& options, const std::string& group, const std::string& prefix = "") {
   Options::fields(options, [&](auto& value, const Field& field) {
-    Argument option = option_of(value, field, prefix + field.name);
+    const std::string flag = prefix + std::string(flag_of(field.name));
+    Argument option = option_of(value, field, flag);
+    if (flag != prefix + field.name) option.alias = prefix + field.name;
     option.group = group;
     arguments.option(std::move(option));
   });

@@ -64,7 +64,8 @@ class WordFinder {
 
 void WordFinder::declare(const Arguments& arguments) {
   for (const Argument& argument : arguments.list()) {
-    const std::string names = (argument.letter ? fmt::format("-{},", argument.letter) : "") + name_of(argument);
+    const std::string names = (argument.letter ? fmt::format("-{},", argument.letter) : "") + name_of(argument) +
+                              (argument.alias.empty() ? "" : ",--" + argument.alias);
     const bool is_flag = argument.form == Form::flag;
     CLI::Option* option = is_flag ? app_.add_flag(names) : app_.add_option(names);
     option->multi_option_policy(policy_of(argument.repeat))->required(argument.required);
@@ -109,7 +110,7 @@ void WordFinder::check_excluded(const WordFinder& before) const {
   for (const Argument* argument : arguments_) {
     const std::string &name = argument->name, &other = argument->excludes;
     if (!other.empty() && (has(name) || before.has(name)) && (has(other) || before.has(other)))
-      refuse(fmt::format("--{} excludes --{}{}", name, other, help_));
+      refuse(fmt::format("--{} cannot be combined with --{}{}", name, other, help_));
   }
 }
 

@@ -5,7 +5,8 @@
 namespace texbake {
 
 Command patch_command() {
-  return stage_command<PatchOptions>("patch", "bundle → bundle: unions of fragments that exchange their contents",
+  return stage_command<PatchOptions>("patch",
+                                     "bundle → bundle: join fragments into the patches that exchange their contents",
                                      "  texbake patch leaves.texbundle --count 12", run_patch);
 }
 

@@ -58,9 +58,9 @@ Ending run_action(const Action& action, const GlobalOptions& global, Console& co
   } catch (const std::bad_alloc&) {
     if (limit)
       ending = {
-          ExitCode::limit, fmt::format("more memory is needed than --max-memory grants ({} MiB)", *limit >> 20), {}};
+          ExitCode::limit, fmt::format("more memory is needed than --max-memory allows ({} MiB)", *limit >> 20), {}};
     else
-      ending = {ExitCode::internal, "the system has no memory left for this; a smaller input or window takes less", {}};
+      ending = {ExitCode::internal, "the system has no memory left; a smaller input or window needs less", {}};
   } catch (const std::system_error& error) {
     if (limit && error.code() == std::errc::resource_unavailable_try_again)
       ending = {ExitCode::limit, fmt::format("--max-memory ({} MiB) leaves no room for threads", *limit >> 20), {}};
@@ -76,7 +76,7 @@ int finish(const std::string& verb, const Ending& ending, bool json, Console& co
   console.finish_step();
   if (!ending.error.empty()) console.error(verb.empty() ? ending.error : verb + ": " + ending.error);
   if (ending.code == ExitCode::internal && !ending.error.empty())
-    console.error("this is a mistake of the program: please report it with the command line and the input");
+    console.error("this is an internal error: please report it with the command line and the input");
   const std::string text = json ? envelope(verb, ending, console.warnings()).dump(2) + "\n" : ending.outcome.text;
   if (!print_result(text)) {
     console.error("standard output: the result could not be written; is the disk full?");

@@ -14,10 +14,12 @@ struct SlantOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.view, Field{.name = "view-direction",
-                           .unit = "X,Y,Z",
-                           .help = "towards the viewer of a flat window with --relief: x right, y down, z up"});
-    visit(self.light, Field{.name = "light", .unit = "X,Y,Z", .help = "towards the light of --relief, z > 0"});
+    visit(self.view,
+          Field{.name = "view-direction",
+                .unit = "X,Y,Z",
+                .help = "direction towards the viewer, for a flat window with --relief: x right, y down, z up"});
+    visit(self.light,
+          Field{.name = "light", .unit = "X,Y,Z", .help = "direction towards the light, for --relief; z > 0"});
   }
 };
 

@@ -22,11 +22,12 @@ struct RenderOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.size,
-          Field{.name = "size", .unit = "WIDTHxHEIGHT", .help = "of the picture in pixels; one number makes a square"});
-    visit(self.show, Field{.name = "show", .help = "the texture, or how it is put together"});
+    visit(self.size, Field{.name = "size",
+                           .unit = "WIDTHxHEIGHT",
+                           .help = "size of the picture in pixels; one number makes a square"});
+    visit(self.show, Field{.name = "show", .help = "what to draw: the texture, or how it is put together"});
     visit(self.bits, Field{.name = "bits",
-                           .help = "of one sample: 8 or 16 in PNG (sRGB), half or float in EXR (linear)",
+                           .help = "bits of one sample: 8 or 16 in PNG (sRGB), half or float in EXR (linear)",
                            .auto_help = "8 in PNG, half in EXR"});
   }
 };
@@ -44,20 +45,20 @@ struct DeformOptions {
                              .unit = "degrees",
                              .min = -360,
                              .max = 360,
-                             .help = "turn the structure clockwise about the origin; grain keeps its direction"});
+                             .help = "rotate the structure clockwise about the origin; the grain keeps its direction"});
     visit(self.stretch, Field{.name = "stretch",
                               .unit = "FACTOR or X,Y",
-                              .help = "show the structure so many times as large, 0.5 to 64; grain keeps its size"});
+                              .help = "enlarge the structure by this factor, 0.5 to 64; the grain keeps its size"});
     visit(self.turbulence, Field{.name = "turbulence",
                                  .unit = "texels",
                                  .min = 0,
                                  .max = 64,
-                                 .help = "stir the structure by about so much"});
+                                 .help = "distort the structure by displacements of about this size"});
     visit(self.turbulence_cell, Field{.name = "turbulence-cell",
                                       .unit = "texels",
                                       .min = 64,
                                       .max = 1024,
-                                      .help = "size of the largest eddies, a power of two"});
+                                      .help = "size of the largest eddies of --turbulence, a power of two"});
   }
 };
 
@@ -134,7 +135,7 @@ void check(const Request& request, const std::string& path) {
   check_view(request.view, request.window);
   if (request.view.view == View::plane && !deformation_of(request.deform).is_identity())
     throw Error(ErrorKind::usage,
-                "--rotate, --stretch, --turbulence: a flat window is deformed; expected no --view plane beside them");
+                "--rotate, --stretch, --turbulence: deform only a flat window; expected no --view plane beside them");
   constexpr int kAnySide = 1 << 14;  // of a tile
   const DrawRequest picture = draw_request_of(request, {kAnySide, kAnySide});
   check_request(picture);
@@ -166,7 +167,7 @@ Action declare(Arguments& arguments) {
                     .value = "FILE",
                     .names = Names::file,
                     .standard = "NAME.png here",
-                    .help = "the picture: .png or .exr",
+                    .help = "the picture to write, .png or .exr; default: NAME.png here",
                     .assign = into(request->output)});
   add_flags(arguments, request->options, "Options");
   add_flags(arguments, request->window, "Options");
@@ -177,8 +178,8 @@ Action declare(Arguments& arguments) {
   add_flags(arguments, request->slant, "Relief");
   arguments.option({.name = "map",
                     .value = "NAME",
-                    .standard = "the colour",
-                    .help = "draw this map of the material instead",
+                    .standard = "the color",
+                    .help = "the map of the material to draw instead of the color",
                     .repeat = Repeat::last,
                     .assign = into(request->map)});
   return [request](Console& console) { return run(*request, console); };
@@ -187,7 +188,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command render_command() {
-  return {"render", "bundle → picture: a window of the infinite texture, or an endless plane",
+  return {"render", "bundle → picture: draw a window of the infinite texture, or an endless plane in perspective",
           "  texbake render leaves.texbundle -o leaves.png --size 4096x4096\n"
           "  texbake render leaves.texbundle -o patches.png --show patches --origin -512,99999999999\n"
           "  texbake render rock.texbundle -o normal.png --map normal\n"

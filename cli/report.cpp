@@ -37,8 +37,8 @@ struct JudgeOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.fail_on, Field{.name = "fail-on",
-                              .help = "end with exit code 1 from this verdict on; what could not be measured counts as "
-                                      "worse than warn"});
+                              .help = "end with exit code 1 if the verdict is this or worse; a measure that could not "
+                                      "be taken counts as worse than warn"});
   }
 };
 
@@ -142,11 +142,11 @@ std::string text_of(const Report& report, const Request& request) {
                         kind.unit, good_text(judgement.limits));
   }
   for (const MapReport& map : report.maps)
-    text += fmt::format("{:<12} {:<24} {:.2f}, {:.2f} (good: {})\n", enum_name(map.verdict), "Wrap of map " + map.name,
-                        map.tile_x, map.tile_y, good_text(*limits_of(Measure::tile_x, 1)));
-  if (!report.is_suitable())
     text +=
-        fmt::format("unsuitable, because {}\nwhat helps: {}\n", report.suitability.because, report.suitability.helps);
+        fmt::format("{:<12} {:<24} {:.2f}, {:.2f} (good: {})\n", enum_name(map.verdict), "Wrap seam of map " + map.name,
+                    map.tile_x, map.tile_y, good_text(*limits_of(Measure::tile_x, 1)));
+  if (!report.is_suitable())
+    text += fmt::format("unsuitable: {}\nwhat helps: {}\n", report.suitability.because, report.suitability.helps);
   text += fmt::format("{}: {}\n", request.bundle, report.is_suitable() ? enum_name(report.verdict) : "unsuitable");
   if (!request.output.empty()) text += request.output + "\n";
   return text;
@@ -175,11 +175,11 @@ Action declare(Arguments& arguments) {
                     .value = "FILE",
                     .names = Names::file,
                     .standard = "no page",
-                    .help = "write the page, one HTML file",
+                    .help = "the page to write, one HTML file; default: no page",
                     .assign = into(request->output)});
   // Declared first, so that flags that follow change what it sets.
   arguments.flag({.name = "quick",
-                  .help = "a preview in seconds: --seeds 1 --side 256",
+                  .help = "a preview within seconds: --seeds 1 --side 256",
                   .assign = [request](const std::string&) { request->options = ReportOptions::quick(); }});
   add_flags(arguments, request->options, "Options");
   add_flags(arguments, request->judge, "Options");
@@ -189,7 +189,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command report_command() {
-  return {"report", "bundle → numbers and page: how good it is, beside periodic, Wang and hex tiling",
+  return {"report", "bundle → numbers and page: measure how good it is, beside periodic, Wang and hex tiling",
           "  texbake report leaves.texbundle -o leaves.html\n"
           "  texbake report leaves.texbundle --quick --fail-on warn --json",
           declare};

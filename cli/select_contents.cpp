@@ -14,7 +14,7 @@ Sheet sheet(const Bundle& bundle, const SelectContentsOptions& options, const Pr
 }  // namespace
 
 Command select_contents_command() {
-  return stage_command<SelectContentsOptions>("select-contents", "bundle → bundle: what may fill each patch",
+  return stage_command<SelectContentsOptions>("select-contents", "bundle → bundle: find what may fill each patch",
                                               "  texbake select-contents leaves.texbundle --count 8\n"
                                               "  texbake select-contents bricks.texbundle --lattice auto\n"
                                               "  texbake select-contents leaves.texbundle --sheet contents.png",

@@ -9,7 +9,7 @@ void add_sheet_flag(Arguments& arguments, std::string& file) {
   arguments.option({.name = "sheet",
                     .value = "FILE",
                     .names = Names::file,
-                    .help = "also write a picture to choose the options by eye: what other values give, each labelled",
+                    .help = "also write a picture for choosing the options by eye: labeled results of other values",
                     .assign = into(file)});
 }
 

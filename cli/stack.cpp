@@ -39,7 +39,7 @@ Action declare(Arguments& arguments) {
   const auto request = std::make_shared<Request>();
   arguments.positional({.name = "BUNDLES",
                         .names = Names::folder,
-                        .help = "folders NAME.texbundle of one scale each, coarse to fine",
+                        .help = "two or more bundles (folders NAME.texbundle) of one scale each, coarse to fine",
                         .repeat = Repeat::each,
                         .assign = into(request->inputs)});
   arguments.option({.name = "output",
@@ -56,7 +56,7 @@ Action declare(Arguments& arguments) {
 }  // namespace
 
 Command stack_command() {
-  return {"stack", "bundles coarse ... fine → bundle: one material that holds from far away to close up",
+  return {"stack", "bundles, coarse ... fine → bundle: make one material that holds from far away to close up",
           "  texbake stack cliff.texbundle rock.texbundle --ratio 16 -o wall.texbundle\n"
           "  texbake stack far.texbundle mid.texbundle near.texbundle --ratio 8,16 -o ground.texbundle",
           declare};

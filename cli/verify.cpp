@@ -43,12 +43,13 @@ struct VerifyOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.gl_language, Field{.name = "gl-language", .help = "of the shader: OpenGL 3.3 core, OpenGL ES 3.0"});
+    visit(self.gl_language,
+          Field{.name = "gl-language", .help = "language of the shader: OpenGL 3.3 core, OpenGL ES 3.0, or both"});
     visit(self.windows, Field{.name = "windows",
                               .min = 1,
                               .max = 65536,
-                              .help = "random ones to compare with --backend gl, of 65536 points for each plane; more "
-                                      "are drawn, up to 256, until every content was seen"});
+                              .help = "number of random windows of 65536 points to compare for each plane with "
+                                      "--backend gl; more are drawn, up to 256, until every content has been seen"});
   }
 };
 
@@ -123,12 +124,13 @@ Action declare(Arguments& arguments) {
     arguments.option(
         {.name = name, .value = value, .names = Names::file, .help = help, .group = engine, .assign = into(file)});
   };
-  add_file("frame", "FILE", "a captured picture to compare: EXR (linear) or PNG (sRGB)", request->frame.frame);
+  add_file("frame", "FILE", "captured picture to compare: EXR (linear) or PNG (sRGB)", request->frame.frame);
   add_file("camera", "JSON",
-           "what it shows: {\"window\": {\"origin\": [x, y], \"step\": 1, \"seed\": 0, \"filter\": "
+           "what the frame shows, a JSON file: {\"window\": {\"origin\": [x, y], \"step\": 1, \"seed\": 0, \"filter\": "
            "\"bilinear\", \"map\": null}}",
            request->frame.camera);
-  add_file("difference", "FILE", "write where it differs; white is most, or NaN", request->frame.difference);
+  add_file("difference", "FILE", "write a picture of the differences; white marks the largest, and NaN",
+           request->frame.difference);
   add_flags(arguments, request->frame, engine);
   return [request](Console& console) { return run(*request, console); };
 }
@@ -137,7 +139,8 @@ Action declare(Arguments& arguments) {
 
 Command verify_command() {
   return {"verify",
-          "bundle → report: whether it is whole, and drawn by others as by texbake (exit code 1 when it is not)",
+          "bundle → issues: check that it is complete and consistent, and that OpenGL or an engine draws it as texbake "
+          "does (exit code 1 if not)",
           "  texbake verify leaves.texbundle\n"
           "  texbake verify leaves.texbundle --backend gl\n"
           "  texbake verify leaves.texbundle --frame capture.png --camera capture.json --difference where.png",

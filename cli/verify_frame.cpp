@@ -99,7 +99,7 @@ void check_request(const FrameRequest& request) {
   const auto refuse = [](const char* what) { throw Error(ErrorKind::usage, what); };
   check_options(request);
   if (request.frame.empty() != request.camera.empty())
-    refuse("expected --frame and --camera together: the picture, and what it shows");
+    refuse("expected --frame and --camera together: the picture, and a description of what it shows");
   if (request.frame.empty() && request.tolerance) refuse("--tolerance: expected a --frame to compare");
   if (request.frame.empty() && !request.difference.empty()) refuse("--difference: expected a --frame to compare");
   if (request.difference.empty()) return;

@@ -17,12 +17,13 @@ struct FrameRequest {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.tolerance, Field{.name = "tolerance",
-                                .unit = "steps of the frame's samples",
-                                .min = 0,
-                                .max = 65536,
-                                .help = "how far a channel may be from the reference; of float samples, absolute",
-                                .auto_help = "0.6 of an 8 or 16 bit code, 1 half float, 0 for float"});
+    visit(self.tolerance,
+          Field{.name = "tolerance",
+                .unit = "steps of the frame's samples",
+                .min = 0,
+                .max = 65536,
+                .help = "largest difference allowed between a channel and the reference; for float samples, absolute",
+                .auto_help = "0.6 of a code for 8 or 16 bits, 1 half float, 0 for float"});
   }
 };
 

@@ -46,7 +46,7 @@ Json json_of(const PixelDecision& decision) {
 
 std::string text(const PerspectiveParity& parity, const char* where) {
   if (parity.pixels == 0) return {};
-  return fmt::format("  {} pixels {}: {} see another place (at most {} may), {} values differ\n", parity.pixels, where,
+  return fmt::format("  {} pixels {}: {} see another point (at most {} may), {} values differ\n", parity.pixels, where,
                      parity.differing_sights,
                      static_cast<uint64_t>(PerspectiveParity::kTolerance * static_cast<double>(parity.pixels)),
                      parity.differing_values);

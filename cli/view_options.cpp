@@ -9,9 +9,9 @@ void check_view(const ViewOptions& options, const WindowOptions& window) {
                           options.pitch_deg != standard.pitch_deg || options.yaw_deg != standard.yaw_deg ||
                           options.fov_deg != standard.fov_deg;
   if (options.view == View::flat && has_camera)
-    refuse("--camera-height, --pitch, --yaw, --fov: a window has no camera; expected --view plane beside them");
+    refuse("--camera-height, --pitch, --yaw, --fov: a flat window has no camera; expected --view plane beside them");
   if (options.view == View::plane && window.step_texels != WindowOptions().step_texels)
-    refuse("--step: a plane in perspective has none; use --camera-height");
+    refuse("--step: does not apply to a plane in perspective; use --camera-height");
 }
 
 Perspective perspective_of(const ViewOptions& options, const WindowOptions& window, PixelSize size, V2i tile_size) {

@@ -26,33 +26,34 @@ struct ViewOptions {
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(self.view, Field{.name = "view",
-                           .help = "plane: endless, in perspective; --origin is the point below the "
-                                   "camera"});
+                           .help = "flat: a window of the texture; plane: an endless plane in perspective, where "
+                                   "--origin is the point below the camera"});
     visit(self.camera_height_texels, Field{.name = "camera-height",
                                            .unit = "texels",
                                            .min = 0.001,
                                            .max = 1e6,
-                                           .help = "of the camera above the plane"});
+                                           .help = "height of the camera above the plane"});
     visit(self.pitch_deg, Field{.name = "pitch",
                                 .unit = "degrees",
                                 .min = -90,
                                 .max = 90,
-                                .help = "how far the view's centre is below the horizon; 90 is straight down"});
+                                .help = "angle of the view's center below the horizon; 90 is straight down"});
     visit(self.yaw_deg, Field{.name = "yaw",
                               .unit = "degrees",
                               .min = -360,
                               .max = 360,
-                              .help = "where the camera looks: 0 up in the texture, 90 to its right"});
-    visit(
-        self.fov_deg,
-        Field{
-            .name = "fov", .unit = "degrees", .min = 0.01, .max = 170, .help = "from the picture's top to its bottom"});
+                              .help = "direction in which the camera looks: 0 is up in the texture, 90 to its right"});
+    visit(self.fov_deg, Field{.name = "fov",
+                              .unit = "degrees",
+                              .min = 0.01,
+                              .max = 170,
+                              .help = "vertical field of view, from the picture's top to its bottom"});
     visit(self.supersample, Field{.name = "supersample",
                                   .unit = "samples",
                                   .min = 1,
                                   .max = 256,
-                                  .help = "to a pixel on each axis, of level 0, instead of a filter: slow, and what "
-                                          "filters are measured by"});
+                                  .help = "samples per pixel along each axis, taken from level 0 instead of filtering: "
+                                          "slow; the ground truth by which filters are measured"});
   }
 };
 

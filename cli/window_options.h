@@ -17,22 +17,22 @@ struct WindowOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.origin, Field{.name = "origin",
-                             .unit = "X,Y",
-                             .help = "of its upper left corner in texels; may be negative, far, decimal"});
+    visit(self.origin,
+          Field{.name = "origin",
+                .unit = "X,Y",
+                .help = "upper left corner of the window in texels; may be negative, very far away, or fractional"});
     visit(self.step_texels, Field{.name = "step",
                                   .unit = "texels",
                                   .min = 0.00390625,
                                   .max = 65536,
-                                  .help = "texels from one pixel to the next, in steps of 1/256"});
+                                  .help = "distance from one pixel to the next, in steps of 1/256 texel"});
     visit(self.seed, Field{.name = "seed",
                            .min = 0,
                            .max = 4294967295.0,
-                           .help = "another one gives another texture "
-                                   "of the same bundle"});
+                           .help = "seed of the texture; another seed gives another texture from the same bundle"});
     visit(self.filter, Field{.name = "filter",
-                             .help = "how a pixel is found between texels: with trilinear and anisotropic no texel is "
-                                     "skipped where pixels are larger"});
+                             .help = "how a pixel is interpolated; trilinear and anisotropic use mip levels, so that "
+                                     "no texel is skipped when pixels are larger than texels"});
   }
 };
 

@@ -56,17 +56,17 @@ void check_request(const DrawRequest& request) {
   if (request.is_deformed()) {
     if (request.samples > 1) refuse(std::string(kDeformed) + "expected no --supersample beside them");
     if (!shows_color(request))
-      refuse(std::string(kDeformed) + "deform the color alone; expected neither --map nor --show");
-    if (request.has_relief()) refuse(std::string(kDeformed) + "a bundle of one scale is deformed, without --relief");
+      refuse(std::string(kDeformed) + "deform only the color; expected neither --map nor --show");
+    if (request.has_relief()) refuse(std::string(kDeformed) + "deform only bundles of one scale, without --relief");
   }
   if (request.show != Show::color) {
     const std::string asked = fmt::format("--show {}", enum_name(request.show));
-    if (!request.map.empty()) refuse(asked + ": a view shows the texture; expected no --map beside it");
+    if (!request.map.empty()) refuse(asked + ": shows the texture itself; expected no --map beside it");
     if (!request.is_flat() || request.samples > 1)
-      refuse(asked + ": a view shows whole texels; expected no --view plane or --supersample");
+      refuse(asked + ": shows whole texels; expected neither --view plane nor --supersample");
   }
   if (request.has_relief()) {
-    if (!shows_color(request)) refuse("--relief: the texture is lit; expected no --map and no --show beside it");
+    if (!shows_color(request)) refuse("--relief: lights the texture; expected neither --map nor --show beside it");
     if (request.is_flat() && request.samples > 1)
       refuse("--supersample: expected --view plane beside --relief, found a flat window");
   }
@@ -85,7 +85,7 @@ Drawing::Drawing(const DrawnMaterial& material, const DrawRequest& request) : re
     check_show(tile_, request.show);
     return;
   }
-  if (request.is_deformed()) refuse(std::string(kDeformed) + "a bundle of one scale is deformed, without --relief");
+  if (request.is_deformed()) refuse(std::string(kDeformed) + "deform only bundles of one scale, without --relief");
   stack_ = prepare_stack(material.scales);
   if (request.has_relief())
     relief_ = relief_planes(material.scales.front().input, request.relief.options, request.relief.light);

@@ -45,9 +45,9 @@ struct GlDrawing::State {
 void check_gl_request(const DrawRequest& request) {
   if (request.show != Show::color)
     throw Error(ErrorKind::usage,
-                fmt::format("--show {}: the reference shader draws colors and maps alone; use --backend cpu",
+                fmt::format("--show {}: the reference shader draws only color and maps; use --backend cpu",
                             enum_name(request.show)));
-  if (request.samples > 1) throw Error(ErrorKind::usage, "--supersample: the processor's alone; use --backend cpu");
+  if (request.samples > 1) throw Error(ErrorKind::usage, "--supersample: available on the processor only; use --backend cpu");
 }
 
 GlDrawing::GlDrawing(const Drawing& drawing, const std::optional<int>& device) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bake/convert_stage.h"
 #include "cli/parser.h"
 #include "libbake/content/select_contents.h"
 #include "libbake/segment/fragment.h"
@@ -53,6 +54,17 @@ TEST(OptionFlags, ValuesArriveInTheStruct) {
   EXPECT_EQ(options.threshold, 12.5f);
   EXPECT_EQ(options.seed, 4294967295u);
   EXPECT_EQ(options.min_area_px, std::nullopt);
+}
+
+TEST(OptionFlags, ColorIsAcceptedInBothSpellings) {
+  for (const char* flag : {"--color", "--colour"}) {
+    Arguments arguments;
+    StorageOptions options;
+    add_flags(arguments, options, "Options");
+    EXPECT_EQ(arguments.list().front().name, "color");
+    parse(arguments, Words{flag, "palette"});
+    EXPECT_EQ(options.color, ColorForm::palette) << flag;
+  }
 }
 
 TEST(OptionFlags, PrefixKeepsEqualNamesApart) {
