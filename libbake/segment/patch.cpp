@@ -26,14 +26,13 @@ int automatic_count(int fragments) {
 void check_count(int count, const FragmentMap& fragments) {
   const int available = fragments.partition.count();
   if (count > available)
-    throw Error(ErrorKind::infeasible,
-                fmt::format("expected at least as many fragments as patches, {}, found {}; ask for --count {} or "
-                            "fewer, or run fragment with a smaller --max-area",
-                            count, available, available));
+    throw Error(ErrorKind::infeasible, fmt::format("expected at least {} fragments, one for each patch, found {}; ask "
+                                                   "for --count {} or fewer, or run fragment with a smaller --max-area",
+                                                   count, available, available));
   if (count < kLeastCount)
     throw Error(ErrorKind::infeasible,
-                fmt::format("expected at least {} patches, found --count {}: a patch must stay under half the "
-                            "tile on each axis, so it has less than a quarter of its area",
+                fmt::format("expected at least {} patches, found --count {}: a patch must be smaller than half the "
+                            "tile on each axis, and therefore smaller than a quarter of its area",
                             kLeastCount, count));
 }
 
