@@ -180,8 +180,7 @@ void export_web(const DrawnMaterial& material, std::optional<float> relief_px, c
   const EvaluatorInput& coarsest = material.scales.front().input;
   ReliefOptions relief;
   relief.depth_px = relief_px.value_or(default_relief_px(coarsest));
-  if (material.scales.size() == 1 && relief.depth_px == 0)
-    return export_web(prepare(drawn_color(material)), folder);
+  if (material.scales.size() == 1 && relief.depth_px == 0) return export_web(prepare(drawn_color(material)), folder);
   const StackPlanes planes = prepare_stack(material.scales);
   if (relief.depth_px == 0) return export_web(planes, nullptr, folder);
   const ReliefPlanes heights = relief_planes(coarsest, relief, kLight);

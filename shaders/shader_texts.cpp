@@ -31,14 +31,14 @@ std::string_view shader_text(std::string_view name) {
 }
 
 std::string reference_core(ShaderLanguage language) {
-  return concatenated({prologue(language), "constants.glsl", "bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl", "noise.glsl",
-                       "deform.glsl", "levels.glsl"});
+  return concatenated({prologue(language), "constants.glsl", "bindings.glsl", "hash.glsl", "content.glsl",
+                       "sample.glsl", "noise.glsl", "deform.glsl", "levels.glsl"});
 }
 
 std::string stack_core(ShaderLanguage language) {
-  return concatenated({prologue(language), "constants.glsl", "stack_bindings.glsl", "hash.glsl", "content.glsl", "sample.glsl",
-                       "noise.glsl", "levels.glsl", "scales.glsl", "stack_levels.glsl", "relief_bindings.glsl",
-                       "relief.glsl", "stack_relief.glsl", "stack_probes.glsl"});
+  return concatenated({prologue(language), "constants.glsl", "stack_bindings.glsl", "hash.glsl", "content.glsl",
+                       "sample.glsl", "noise.glsl", "levels.glsl", "scales.glsl", "stack_levels.glsl",
+                       "relief_bindings.glsl", "relief.glsl", "stack_relief.glsl", "stack_probes.glsl"});
 }
 
 std::string stack_fragment_shader(ShaderLanguage language) {

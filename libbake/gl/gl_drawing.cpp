@@ -47,7 +47,8 @@ void check_gl_request(const DrawRequest& request) {
     throw Error(ErrorKind::usage,
                 fmt::format("--show {}: the reference shader draws only color and maps; use --backend cpu",
                             enum_name(request.show)));
-  if (request.samples > 1) throw Error(ErrorKind::usage, "--supersample: available on the processor only; use --backend cpu");
+  if (request.samples > 1)
+    throw Error(ErrorKind::usage, "--supersample: available on the processor only; use --backend cpu");
 }
 
 GlDrawing::GlDrawing(const Drawing& drawing, const std::optional<int>& device) {

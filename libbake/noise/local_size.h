@@ -20,8 +20,8 @@ struct LocalSizeChoice {
   std::string reason;  ///< one sentence with the figures
 };
 
-/// A coherence drop above this says that structure was left in the noise: 0.04 to 0.08 in photographs of bark, rust, moss
-/// and leaves, 0.02 at most in grass, sand and known Gaussian fields.
+/// A coherence drop above this says that structure was left in the noise: 0.04 to 0.08 in photographs of bark, rust,
+/// moss and leaves, 0.02 at most in grass, sand and known Gaussian fields.
 inline constexpr double kStructureInNoise = 0.03;
 
 /// `tested` by rising size, at least one. The largest T with r(T) ≤ r(smallest) + 0.04; + 0.10 where the coherence
