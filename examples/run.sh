@@ -17,8 +17,8 @@ step() {
 step "3 minutes, seconds when they are there" "1 of 7: installing what is needed to build"
 "$root/cmake/install-packages.sh" build
 
-step "10 minutes, seconds when it was built before" "2 of 7: building texbake"
-options=(-DTEXBAKE_TESTS=OFF -DTEXBAKE_BENCH=OFF)
+step "5 minutes, seconds when it was built before" "2 of 7: building texbake"
+options=(-DTEXBAKE_TESTS=OFF -DTEXBAKE_BENCH=OFF -DCMAKE_UNITY_BUILD=ON)
 command -v ccache >/dev/null && options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 cmake -S "$root" --preset release -B "$root/build/release-tools" "${options[@]}" >&2
 cmake --build "$root/build/release-tools" >&2

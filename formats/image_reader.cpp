@@ -16,6 +16,7 @@
 #include "formats/png_check.h"
 #include "formats/sha256.h"
 #include "formats/srgb_codes.h"
+#include "libbake/base/half.h"
 #include "libbake/base/parallel.h"
 
 namespace texbake {
@@ -23,8 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kLargestHalf = 65504;
-constexpr int kBandRows = 64;  // rows read at a time: a band of the widest picture is 50 MB
+constexpr int kRowsRead = 64;  // rows read at a time: a band of the widest picture is 50 MB
 
 // Which of the file's channels are read.
 struct Channels {
@@ -189,7 +189,7 @@ void read_texels(OpenPicture& open, const Prepare& prepare, const Place& place) 
   const OIIO::ImageSpec& spec = open.spec;
   const int channel_count =
       1 + std::max(open.channels.alpha, *std::max_element(open.channels.color.begin(), open.channels.color.end()));
-  const int band_rows = spec.tile_width > 0 ? spec.tile_height : kBandRows;
+  const int band_rows = spec.tile_width > 0 ? spec.tile_height : kRowsRead;
   std::vector<Sample> band;
   for (int begin = 0; begin < spec.height; begin += band_rows) {
     const int end = std::min(begin + band_rows, spec.height);

@@ -21,8 +21,7 @@
 namespace texbake {
 namespace {
 
-constexpr int kBandRows = 64;  // rows encoded at a time: a band of the widest picture is 12 MB
-constexpr float kLargestHalf = 65504;
+constexpr int kRowsWritten = 64;  // rows encoded at a time: a band of the widest picture is 12 MB
 
 // The kinds of file, and the sample types each holds, the usual first.
 struct Kind {
@@ -183,9 +182,9 @@ struct PictureWriter::State {
   template <class Sample, class Encode>
   void write_bands(const float* values, int height, const Encode& encode) {
     const size_t row_samples = static_cast<size_t>(format.width) * static_cast<size_t>(format.channels);
-    std::vector<Sample> band(row_samples * static_cast<size_t>(std::min(height, kBandRows)));
-    for (int begin = 0; begin < height; begin += kBandRows) {
-      const int end = std::min(begin + kBandRows, height);
+    std::vector<Sample> band(row_samples * static_cast<size_t>(std::min(height, kRowsWritten)));
+    for (int begin = 0; begin < height; begin += kRowsWritten) {
+      const int end = std::min(begin + kRowsWritten, height);
       parallel_for(begin, end, [&](int y) {
         const float* from = values + static_cast<size_t>(y) * row_samples;
         Sample* to = band.data() + static_cast<size_t>(y - begin) * row_samples;

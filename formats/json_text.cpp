@@ -16,7 +16,7 @@ namespace {
 constexpr size_t kColumns = 120;
 
 template <class Number>
-std::string shortest(Number value) {
+std::string shortest_digits(Number value) {
   std::array<char, 64> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   return {digits.data(), end};
@@ -24,7 +24,7 @@ std::string shortest(Number value) {
 
 std::string double_text(double value) {
   if (!std::isfinite(value)) return "null";
-  std::string text = shortest(value);
+  std::string text = shortest_digits(value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }
@@ -105,13 +105,15 @@ class StrictWatch {
 
 Json json_number(float value) {
   if (!std::isfinite(value)) return nullptr;
-  const std::string text = shortest(value);
+  const std::string text = shortest_digits(value);
   double number = value;
   std::from_chars(text.data(), text.data() + text.size(), number);
   return static_cast<float>(number) == value ? number : static_cast<double>(value);
 }
 
 Json vector_json(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
+
+V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
 
 Json parse_json(std::string_view text, IssueLog& log) {
   StrictWatch watch;

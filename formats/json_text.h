@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "formats/issues.h"
+#include "libbake/base/torus.h"
 
 namespace texbake {
 
@@ -13,6 +14,8 @@ namespace texbake {
 Json json_number(float value);
 /// The same of each component, in an array.
 Json vector_json(const V3f& vector);
+/// A vector from such an array.
+V3f vector_of(const Json& json);
 
 /// `text` as a value. Reports json_syntax, json_too_deep and json_duplicate_key, and then returns null.
 Json parse_json(std::string_view text, IssueLog& log);

@@ -16,7 +16,6 @@ namespace texbake {
 namespace {
 
 V2i texel_of(const Json& json) { return {json[0].get<int>(), json[1].get<int>()}; }
-V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
 
 /// Reads one scale; the schema has vouched for every member's shape.
 class ScaleReader {

@@ -10,8 +10,6 @@ namespace {
 
 constexpr const char* kPointer = "/noise";
 
-V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
-
 /// Lobes are rounded to 20 significant bits: a float holds them.
 Json number(double value) { return json_number(static_cast<float>(value)); }
 double value_of(const Json& json) { return static_cast<double>(json.get<float>()); }

@@ -1,15 +1,9 @@
 #include "formats/noise_planes.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace texbake {
 namespace {
-
-constexpr double kAnyFloat = std::numeric_limits<float>::max();
-
-template <class T>
-constexpr bool writable = !std::is_const_v<std::remove_reference_t<T>>;
 
 ScalePlane rgb_plane(const std::string& key, PixelType type, V2i size, ChannelRange range) {
   ScalePlane plane;

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
-#include <limits>
 
 #include "libbake/base/half.h"
 
 namespace texbake {
 namespace {
 
-constexpr double kAnyFloat = std::numeric_limits<float>::max();
-
 const std::vector<std::string> kRgb = {"R", "G", "B"};
-
-template <class T>
-constexpr bool writable = !std::is_const_v<std::remove_reference_t<T>>;
 
 ScalePlane plane(const std::string& key, const std::string& part, std::vector<std::string> channels, PixelType type,
                  V2i size, ChannelRange range) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "formats/bundle.h"
@@ -18,6 +20,12 @@ struct ChannelRange {
   double high = 0;
   IssueId id = IssueId::not_finite;
 };
+
+inline constexpr double kAnyFloat = std::numeric_limits<float>::max();
+
+/// Whether planes made from a T can be filled: a scale that is only read is const.
+template <class T>
+inline constexpr bool writable = !std::is_const_v<std::remove_reference_t<T>>;
 
 /// One plane. Rows pass as float (half and float planes) or as uint32_t (uint planes), channel by channel.
 struct ScalePlane {

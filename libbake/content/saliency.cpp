@@ -11,7 +11,7 @@
 namespace texbake {
 namespace {
 
-constexpr int kCells = 32;                   // along the shorter side
+constexpr int kSaliencyCells = 32;           // along the shorter side
 constexpr double kNearness = 0.25;           // σ_p of the article, in units of the tile's side
 constexpr double kDistributionWeight = 6.0;  // k of the article's eq. 5
 
@@ -32,7 +32,7 @@ struct Grid {
 };
 
 Grid make_grid(V2i size) {
-  const int cell_px = std::max(1, std::min(size.x, size.y) / kCells);
+  const int cell_px = std::max(1, std::min(size.x, size.y) / kSaliencyCells);
   return {size, cell_px, {(size.x + cell_px - 1) / cell_px, (size.y + cell_px - 1) / cell_px}};
 }
 

@@ -14,10 +14,10 @@ constexpr double kEdge_delta_e = 1.0;
 constexpr double kSmoothing_px = 1.0;
 constexpr int kSteps = 40;  // the residual falls below 1e-3 of its start for strengths up to 64
 
-using Field = Image<double>;
+using HeightField = Image<double>;
 
 // Row sums in parallel, then the rows in order: the same for any number of threads.
-double dot(const Field& a, const Field& b) {
+double dot(const HeightField& a, const HeightField& b) {
   std::vector<double> of_row(static_cast<size_t>(a.height()), 0.0);
   parallel_for(0, a.height(), [&](int y) {
     double sum = 0.0;
@@ -30,7 +30,7 @@ double dot(const Field& a, const Field& b) {
 }
 
 // a += b · factor
-void add_scaled(Field& a, const Field& b, double factor) {
+void add_scaled(HeightField& a, const HeightField& b, double factor) {
   parallel_for(0, a.height(), [&](int y) {
     for (int x = 0; x < a.width(); ++x) a(x, y) += b(x, y) * factor;
   });
@@ -53,9 +53,9 @@ class Smoothness {
     });
   }
 
-  Field times(const Field& h) const {
+  HeightField times(const HeightField& h) const {
     const int width = h.width(), height = h.height();
-    Field result(width, height);
+    HeightField result(width, height);
     parallel_for(0, height, [&](int y) {
       const int above = wrap(y - 1, height), below = wrap(y + 1, height);
       for (int x = 0; x < width; ++x) {
@@ -70,9 +70,9 @@ class Smoothness {
   }
 
   // 1 / diagonal, texel by texel.
-  Field preconditioned(const Field& residual) const {
+  HeightField preconditioned(const HeightField& residual) const {
     const int width = residual.width(), height = residual.height();
-    Field result(width, height);
+    HeightField result(width, height);
     parallel_for(0, height, [&](int y) {
       for (int x = 0; x < width; ++x)
         result(x, y) =
@@ -83,23 +83,23 @@ class Smoothness {
   }
 
  private:
-  Field right_;  // weight between a texel and its neighbour to the right
-  Field below_;
+  HeightField right_;  // weight between a texel and its neighbour to the right
+  HeightField below_;
 };
 
 // Preconditioned conjugate gradients from h = target.
-Field solve(const Smoothness& matrix, const Field& target) {
-  Field h = target.clone();
-  Field residual = target.clone();
+HeightField solve(const Smoothness& matrix, const HeightField& target) {
+  HeightField h = target.clone();
+  HeightField residual = target.clone();
   add_scaled(residual, matrix.times(h), -1.0);
-  Field direction = matrix.preconditioned(residual);
+  HeightField direction = matrix.preconditioned(residual);
   double energy = dot(residual, direction);
   for (int step = 0; step < kSteps && energy > 0.0; ++step) {
-    const Field moved = matrix.times(direction);
+    const HeightField moved = matrix.times(direction);
     const double length = energy / dot(direction, moved);
     add_scaled(h, direction, length);
     add_scaled(residual, moved, -length);
-    Field next = matrix.preconditioned(residual);
+    HeightField next = matrix.preconditioned(residual);
     const double next_energy = dot(residual, next);
     add_scaled(next, direction, next_energy / energy);
     direction = std::move(next);
@@ -111,10 +111,10 @@ Field solve(const Smoothness& matrix, const Field& target) {
 }  // namespace
 
 Image<float> refine(ImageView<const float> propagated, ImageView<const V3f> luv, float strength) {
-  Field target(propagated.width(), propagated.height());
+  HeightField target(propagated.width(), propagated.height());
   for (int y = 0; y < target.height(); ++y)
     for (int x = 0; x < target.width(); ++x) target(x, y) = propagated(x, y);
-  const Field h = solve(Smoothness(luv, strength), target);
+  const HeightField h = solve(Smoothness(luv, strength), target);
   // The minimum lies between the least and the greatest height; so do these steps towards it.
   const auto [least, most] = std::minmax_element(target.begin(), target.end());
   Image<float> result(h.width(), h.height());

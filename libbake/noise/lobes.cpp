@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "libbake/base/portable_math.h"
 #include "libbake/base/torus.h"
@@ -14,7 +15,6 @@
 namespace texbake {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kFloor = 0.02;  // of the magnitude of white noise: keeps the square root smooth
 
 /// All residuals in one block, so that the derivatives are ours.
@@ -167,7 +167,7 @@ double Lobe::density(double fx_cpp, double fy_cpp) const {
     const double b = l_yy * dy;
     sum += portable_exp(-0.5 * (a * a + b * b));
   }
-  return power / 2.0 * l_xx * l_yy / (2.0 * kPi) * sum;
+  return power / 2.0 * l_xx * l_yy / (2.0 * std::numbers::pi) * sum;
 }
 
 LobeFit fit_lobes(ImageView<const float> spectrum, int most) {
@@ -206,7 +206,7 @@ Image<float> lobe_spectrum(std::span<const Lobe> lobes, int size) {
 
 double filtered_variance(std::span<const Lobe> lobes, double xx, double xy, double yy) {
   // ∫ N(f; c, P⁻¹) exp(−½ fᵀ B f) df = sqrt(|P| / |P + B|) · exp(−½ cᵀ (P − P (P + B)⁻¹ P) c), B = 8π² C.
-  const double factor = 8.0 * kPi * kPi;
+  const double factor = 8.0 * std::numbers::pi * std::numbers::pi;
   double variance = 0.0;
   for (const Lobe& lobe : lobes) {
     const double pxx = lobe.l_xx * lobe.l_xx;

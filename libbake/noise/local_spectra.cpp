@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "libbake/base/error.h"
 #include "libbake/base/parallel.h"
@@ -15,11 +16,9 @@
 namespace texbake {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Hann window of T texels, sampled half a texel inside, so that T = 2 is not degenerate and the window is symmetric.
 double hann(int n, int size) {
-  const double s = portable_sin(kPi * (n + 0.5) / size);
+  const double s = portable_sin(std::numbers::pi * (n + 0.5) / size);
   return s * s;
 }
 
@@ -93,7 +92,7 @@ class BandTransform {
     std::array<float, T / 2> cosine;
     std::array<float, T / 2> sine;
     for (int n = 0; n < T / 2; ++n) {
-      const double angle = 2.0 * kPi * u * (n - (T - 1) * 0.5) / T;
+      const double angle = 2.0 * std::numbers::pi * u * (n - (T - 1) * 0.5) / T;
       cosine[static_cast<size_t>(n)] = static_cast<float>(hann(n, T) * portable_cos(angle));
       sine[static_cast<size_t>(n)] = static_cast<float>(-hann(n, T) * portable_sin(angle));
     }

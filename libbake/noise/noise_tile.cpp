@@ -3,17 +3,13 @@
 
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 #include "libbake/base/fft.h"
 #include "libbake/base/portable_math.h"
 #include "libbake/base/random.h"
 
 namespace texbake {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
 
 Image<std::complex<float>> random_phases(int count, uint32_t seed, int channel) {
   assert(count % 2 == 0);
@@ -26,7 +22,8 @@ Image<std::complex<float>> random_phases(int count, uint32_t seed, int channel) 
       of[k] = turn < 0.5 ? 1.0f : -1.0f;
       continue;
     }
-    of[k] = {static_cast<float>(portable_cos(2.0 * kPi * turn)), static_cast<float>(portable_sin(2.0 * kPi * turn))};
+    of[k] = {static_cast<float>(portable_cos(2.0 * std::numbers::pi * turn)),
+             static_cast<float>(portable_sin(2.0 * std::numbers::pi * turn))};
     of[count - k] = std::conj(of[k]);
   }
   return phases;

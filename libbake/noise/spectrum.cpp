@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "libbake/base/error.h"
 #include "libbake/base/fft.h"
@@ -16,7 +17,6 @@
 namespace texbake {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLeastPairs = 64;
 constexpr double kPaperCoverage = 0.7;
 
@@ -116,7 +116,7 @@ Image<double> MaskedSpectrum::autocovariance_power(ImageView<const float> centre
       if (lag >= size_ / 2) continue;
       const V2i place = wrap(V2i(dx, dy), V2i(mask_.width(), mask_.height()));
       windowed(x, y) = static_cast<double>(products(place.x, place.y)) / static_cast<double>(pairs_(place.x, place.y)) *
-                       (0.5 + 0.5 * portable_cos(2.0 * kPi * lag / size_));
+                       (0.5 + 0.5 * portable_cos(2.0 * std::numbers::pi * lag / size_));
     }
   return even_transform<double>(windowed);
 }

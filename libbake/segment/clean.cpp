@@ -9,8 +9,6 @@
 namespace texbake {
 namespace {
 
-constexpr uint32_t kFree = 0xffffffffu;
-
 /// A fragment as cleaning sees it.
 struct Body {
   size_t seed = 0;

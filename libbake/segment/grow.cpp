@@ -12,8 +12,6 @@
 namespace texbake {
 namespace {
 
-constexpr uint32_t kFree = 0xffffffffu;
-
 /// A texel that was refused, and its variation.
 struct Refused {
   float v;

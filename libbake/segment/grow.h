@@ -2,6 +2,9 @@
 // Based on: Vanhoey et al. 2013, §5.1, "Region growing".
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "libbake/color/palette.h"
 
 namespace texbake {
@@ -12,6 +15,9 @@ struct GrowthLimits {
   V2i max_extent{1, 1};  ///< no fragment's bounding box on the torus is wider or higher
   uint32_t seed = 1;     ///< of every choice
 };
+
+/// Stands for the index of a texel that no fragment has.
+inline constexpr uint32_t kFree = 0xffffffffu;
 
 /// What growth leaves: every texel in exactly one fragment, all of whose texels have the same index.
 struct Growth {

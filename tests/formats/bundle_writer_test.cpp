@@ -108,7 +108,7 @@ TEST(BundleWriter, AReaderBesideAWriterSeesTheOldBundleOrTheNew) {
 }
 
 /// What a step that the system refuses looks like.
-struct Refusal {
+struct RefuseAt {
   int step;
   int seen = 0;
   void operator()(std::string_view name) {
@@ -125,7 +125,7 @@ TEST(BundleWriter, AStepThatFailsLeavesNothingBehind) {
     write_bundle(bundle_with_everything(kOld), bundle);
     const auto before = folder_contents(bundle);
     try {
-      write_bundle(bundle_with_everything(kNew), bundle, {.hook = Refusal{step}});
+      write_bundle(bundle_with_everything(kNew), bundle, {.hook = RefuseAt{step}});
       done = true;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::io);
@@ -143,7 +143,7 @@ TEST(BundleWriter, AStepThatFailsOnANewBundleLeavesNoneOrTheWhole) {
     SCOPED_TRACE(step);
     const TemporaryFolder folder;
     try {
-      write_bundle(bundle_with_everything(kNew), folder / "a.texbundle", {.hook = Refusal{step}});
+      write_bundle(bundle_with_everything(kNew), folder / "a.texbundle", {.hook = RefuseAt{step}});
       done = true;
     } catch (const Error&) {
     }

@@ -20,20 +20,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
-// The error that reading raises, as kind and words.
-struct Refusal {
-  std::optional<ErrorKind> kind;
-  std::string words;
-};
-Refusal refusal(const std::string& path, PictureRole role = PictureRole::color) {
-  try {
-    read_picture(path, InputSpace::automatic, role);
-  } catch (const Error& error) {
-    return {error.kind(), error.what()};
-  }
-  return {};
+Refusal reading_refusal(const std::string& path, PictureRole role = PictureRole::color) {
+  return refusal([&] { read_picture(path, InputSpace::automatic, role); });
 }
 
 std::vector<float> row_values(const Image<float>& plane, int y) { return {plane.row(y), plane.row(y) + plane.width()}; }
@@ -282,7 +272,7 @@ TEST_F(ImageReader, TurnedNormalMapIsRefused) {
   OIIO::ImageSpec spec = spec_of(2, 2, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("Orientation", 6);
   save_picture(folder_ / "n.tif", spec, std::vector<uint8_t>(12, 128));
-  EXPECT_EQ(refusal(folder_ / "n.tif", PictureRole::normal).kind, ErrorKind::unsupported);
+  EXPECT_EQ(reading_refusal(folder_ / "n.tif", PictureRole::normal).kind, ErrorKind::unsupported);
 }
 
 TEST_F(ImageReader, TiledFilesEqualUntiledOnes) {
@@ -323,12 +313,12 @@ TEST_F(ImageReader, NegativeColoursBecomeZeroAndAreCounted) {
 
 TEST_F(ImageReader, NanAndInfinityAreRefusedWithCountAndFirstTexel) {
   std::vector<float> samples(4 * 3 * 3, 0.5f);
-  samples[(1 * 4 + 2) * 3 + 1] = kNan;
-  samples[(1 * 4 + 2) * 3 + 2] = kNan;  // the same texel again
+  samples[(1 * 4 + 2) * 3 + 1] = kNotANumber;
+  samples[(1 * 4 + 2) * 3 + 2] = kNotANumber;  // the same texel again
   samples[(2 * 4 + 0) * 3 + 0] = -std::numeric_limits<float>::infinity();
   save_picture(folder_ / "a.exr", spec_of(4, 3, 3, OIIO::TypeDesc::FLOAT), samples);
   for (const PictureRole role : {PictureRole::color, PictureRole::data, PictureRole::normal}) {
-    const Refusal found = refusal(folder_ / "a.exr", role);
+    const Refusal found = reading_refusal(folder_ / "a.exr", role);
     EXPECT_EQ(found.kind, ErrorKind::bad_data);
     EXPECT_THAT(found.words, AllOf(HasSubstr("a.exr"), HasSubstr("2 of 12 texels"), HasSubstr("(2, 1)")));
   }
@@ -336,10 +326,10 @@ TEST_F(ImageReader, NanAndInfinityAreRefusedWithCountAndFirstTexel) {
 
 TEST_F(ImageReader, ColourAboveTheLargestHalfIsRefused) {
   save_picture(folder_ / "a.exr", spec_of(2, 1, 3, OIIO::TypeDesc::FLOAT), std::vector<float>{1, 1, 1, 1, 70000, 1});
-  const Refusal found = refusal(folder_ / "a.exr");
+  const Refusal found = reading_refusal(folder_ / "a.exr");
   EXPECT_EQ(found.kind, ErrorKind::bad_data);
   EXPECT_THAT(found.words, AllOf(HasSubstr("65504"), HasSubstr("(1, 0)"), HasSubstr("70000")));
-  EXPECT_EQ(refusal(folder_ / "a.exr", PictureRole::data).kind, std::nullopt);
+  EXPECT_EQ(reading_refusal(folder_ / "a.exr", PictureRole::data).kind, std::nullopt);
 }
 
 TEST_F(ImageReader, WhatCannotBeOpenedIsAnIoError) {
@@ -349,7 +339,7 @@ TEST_F(ImageReader, WhatCannotBeOpenedIsAnIoError) {
   write_bytes(folder_ / "locked.png", "x");
   std::filesystem::permissions(folder_ / "locked.png", std::filesystem::perms::none);
   const auto words_of = [&](const char* name) {
-    const Refusal found = refusal(folder_ / name);
+    const Refusal found = reading_refusal(folder_ / name);
     EXPECT_EQ(found.kind, ErrorKind::io) << name;
     EXPECT_THAT(found.words, HasSubstr(folder_ / name));
     return found.words;
@@ -370,7 +360,7 @@ TEST_F(ImageReader, WhatIsNotAPictureIsBadData) {
   write_bytes(folder_ / "text.txt", "hello\n");
   write_bytes(folder_ / "bare", "hello\n");
   for (const char* name : {"empty.png", "text.png", "text.txt", "bare"}) {
-    const Refusal found = refusal(folder_ / name);
+    const Refusal found = reading_refusal(folder_ / name);
     EXPECT_EQ(found.kind, ErrorKind::bad_data) << name;
     EXPECT_THAT(found.words, AllOf(HasSubstr(folder_ / name), HasSubstr("expected an image")));
   }
@@ -390,12 +380,12 @@ TEST_F(ImageReader, CutOffFilesAreBadData) {
   for (const char* extension : {"png", "jpg", "tif", "exr", "tga", "bmp", "hdr", "ppm", "gif", "sgi", "dpx"}) {
     const std::string whole = folder_ / (std::string("whole.") + extension);
     save_picture(whole, spec_of(96, 64, 3, OIIO::TypeDesc::UINT8), samples);
-    ASSERT_EQ(refusal(whole).words, "") << extension;
+    ASSERT_EQ(reading_refusal(whole).words, "") << extension;
     const std::string bytes = read_bytes(whole);
     for (const double share : {0.2, 0.5, 0.9}) {
       const std::string cut = folder_ / (std::string("cut.") + extension);
       write_bytes(cut, bytes.substr(0, static_cast<size_t>(static_cast<double>(bytes.size()) * share)));
-      EXPECT_EQ(refusal(cut).kind, ErrorKind::bad_data) << extension << " cut at " << share;
+      EXPECT_EQ(reading_refusal(cut).kind, ErrorKind::bad_data) << extension << " cut at " << share;
     }
   }
 }
@@ -409,7 +399,7 @@ TEST_F(ImageReader, DamagedTexelsAreBadData) {
     std::string bytes = read_bytes(folder_ / name);
     bytes.replace(bytes.size() / 2, 6, std::string("\xff\xd0\x12\xff\xd5\x00", 6));
     write_bytes(folder_ / name, bytes);
-    const Refusal found = refusal(folder_ / name);
+    const Refusal found = reading_refusal(folder_ / name);
     EXPECT_EQ(found.kind, ErrorKind::bad_data) << name;
     EXPECT_THAT(found.words, HasSubstr("truncated or damaged"));
   }
@@ -419,7 +409,7 @@ TEST_F(ImageReader, LyingHeaderIsRefusedBeforeMemoryIsTaken) {
   PngParts parts{.width = 16000, .height = 16000, .bit_depth = 8, .color_type = 2};
   parts.rows = {"abc"};
   write_bytes(folder_ / "lie.png", png_bytes(parts));  // 3 GB of floats, were they taken
-  const Refusal found = refusal(folder_ / "lie.png");
+  const Refusal found = reading_refusal(folder_ / "lie.png");
   EXPECT_EQ(found.kind, ErrorKind::bad_data);
   EXPECT_THAT(found.words, HasSubstr("truncated or damaged"));
 }
@@ -428,7 +418,7 @@ TEST_F(ImageReader, TooWideIsRefusedWithTheLimit) {
   PngParts parts{.width = 100000, .height = 1, .bit_depth = 8, .color_type = 0};
   parts.rows = {std::string(10, 'a')};
   write_bytes(folder_ / "wide.png", png_bytes(parts));
-  const Refusal found = refusal(folder_ / "wide.png");
+  const Refusal found = reading_refusal(folder_ / "wide.png");
   EXPECT_EQ(found.kind, ErrorKind::bad_data);
   EXPECT_THAT(found.words, AllOf(HasSubstr("at most 16384"), HasSubstr("100000 x 1")));
 }
@@ -436,8 +426,8 @@ TEST_F(ImageReader, TooWideIsRefusedWithTheLimit) {
 TEST_F(ImageReader, ZeroSizeIsRefused) {
   write_bytes(folder_ / "zero.png", png_bytes({.width = 0, .height = 4, .bit_depth = 8, .color_type = 0}));
   write_bytes(folder_ / "zero.ppm", "P6\n0 0\n255\n");
-  EXPECT_EQ(refusal(folder_ / "zero.png").kind, ErrorKind::bad_data);
-  EXPECT_EQ(refusal(folder_ / "zero.ppm").kind, ErrorKind::bad_data);
+  EXPECT_EQ(reading_refusal(folder_ / "zero.png").kind, ErrorKind::bad_data);
+  EXPECT_EQ(reading_refusal(folder_ / "zero.ppm").kind, ErrorKind::bad_data);
 }
 
 TEST_F(ImageReader, ChannelsMustSuitTheRole) {
@@ -445,8 +435,8 @@ TEST_F(ImageReader, ChannelsMustSuitTheRole) {
   OIIO::ImageSpec two = spec_of(1, 1, 2, OIIO::TypeDesc::FLOAT);
   two.channelnames = {"R", "G"};
   save_picture(folder_ / "two.exr", two, std::vector<float>{0.1f, 0.2f});
-  EXPECT_THAT(refusal(folder_ / "grey.png", PictureRole::normal).words, HasSubstr("expected 3 channels"));
-  EXPECT_EQ(refusal(folder_ / "two.exr").kind, ErrorKind::bad_data);
+  EXPECT_THAT(reading_refusal(folder_ / "grey.png", PictureRole::normal).words, HasSubstr("expected 3 channels"));
+  EXPECT_EQ(reading_refusal(folder_ / "two.exr").kind, ErrorKind::bad_data);
 }
 
 TEST_F(ImageReader, DepthAndLayersBesideColourAreLeftOut) {

@@ -16,20 +16,6 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Refusal {
-  std::optional<ErrorKind> kind;
-  std::string words;
-};
-template <class Action>
-Refusal refusal(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return {error.kind(), error.what()};
-  }
-  return {};
-}
-
 // Colours over the whole range, 0 and 1 among them.
 Image<V3f> ramp(int width, int height) {
   Image<V3f> image(width, height);

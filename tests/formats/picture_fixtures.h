@@ -9,11 +9,29 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "libbake/base/error.h"
+
 namespace texbake {
+
+/// The error that an action raises, as kind and words; neither when it raises none.
+struct Refusal {
+  std::optional<ErrorKind> kind;
+  std::string words;
+};
+template <class Action>
+Refusal refusal(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return {error.kind(), error.what()};
+  }
+  return {};
+}
 
 /// A new folder that disappears with the test.
 class PictureFolder {

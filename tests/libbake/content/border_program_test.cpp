@@ -9,7 +9,7 @@
 namespace texbake {
 namespace {
 
-struct Fixture {
+struct ProgramFixture {
   Image<uint8_t> classes = twin::random_classes(90, 75, 5, 1);
   ClassDistances distances = class_distances(twin::random_colors(5, 1));
   Image<uint32_t> patches = twin::random_patches(90, 75, 6, 1);
@@ -20,7 +20,7 @@ struct Fixture {
 bool is_sum(const Segment& segment) { return segment.kind == SegmentKind::sum || segment.kind == SegmentKind::extend; }
 
 TEST(BorderProgram, SumsEveryBorderTexelOnceForItsPatches) {
-  const Fixture f;
+  const ProgramFixture f;
   Image<int> seen(90, 75);
   for (const Chunk& chunk : f.program) {
     int texels = 0;
@@ -39,7 +39,7 @@ TEST(BorderProgram, SumsEveryBorderTexelOnceForItsPatches) {
 }
 
 TEST(BorderProgram, FetchesWhatItsSumsNeedBeforeTheyNeedIt) {
-  const Fixture f;
+  const ProgramFixture f;
   for (const Chunk& chunk : f.program) {
     std::set<std::pair<int, int>> fetched;  // (y, x)
     std::set<std::pair<int, int>> columns;  // (middle row, x) of complete column sums

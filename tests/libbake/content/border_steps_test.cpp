@@ -8,11 +8,11 @@
 namespace texbake {
 namespace {
 
-constexpr int kSize = 48;  // every border of two patches is shorter than the number of pairs that is looked at
-constexpr int kPatchCount = 6;
+constexpr int kStepsSize = 48;  // every border of two patches is shorter than the number of pairs that is looked at
+constexpr int kStepsPatches = 6;
 
 Image<V3f> grain(uint32_t seed) {
-  Image<V3f> luv(kSize, kSize);
+  Image<V3f> luv(kStepsSize, kStepsSize);
   Random random(seed);
   for (V3f& c : luv) c = V3f(30 + 20 * random.uniform(), 10 * random.uniform(), 10 * random.uniform());
   return luv;
@@ -20,11 +20,12 @@ Image<V3f> grain(uint32_t seed) {
 
 std::vector<std::vector<Content>> random_contents(int count, uint32_t seed) {
   Random random(seed);
-  std::vector<std::vector<Content>> contents(kPatchCount, std::vector<Content>(1));
+  std::vector<std::vector<Content>> contents(kStepsPatches, std::vector<Content>(1));
   for (auto& of_patch : contents)
     for (int i = 1; i < count; ++i)
-      of_patch.push_back(make_content({static_cast<int>(random.below(kSize)), static_cast<int>(random.below(kSize))},
-                                      static_cast<int>(random.below(8)), 1.0f));
+      of_patch.push_back(
+          make_content({static_cast<int>(random.below(kStepsSize)), static_cast<int>(random.below(kStepsSize))},
+                       static_cast<int>(random.below(8)), 1.0f));
   return contents;
 }
 
@@ -39,8 +40,8 @@ double slow_visibility(const std::vector<std::vector<Content>>& contents, ImageV
   };
   std::vector<int> own;
   std::vector<std::pair<V2i, V2i>> pairs;  // inside and outside of `patch`
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
+  for (int y = 0; y < kStepsSize; ++y)
+    for (int x = 0; x < kStepsSize; ++x)
       for (const V2i& direction : {V2i(1, 0), V2i(0, 1)}) {
         const V2i p(x, y), q = wrap(p + direction, patches.size());
         const uint32_t a = patches.idx(p.x, p.y), b = patches.idx(q.x, q.y);
@@ -70,14 +71,15 @@ double slow_visibility(const std::vector<std::vector<Content>>& contents, ImageV
 
 TEST(BorderSteps, VisibilityIsWhatItsDefinitionSaysWhateverCameAndWent) {
   const Image<V3f> luv = grain(1);
-  const Partition patches = twin::partition(twin::random_patches(kSize, kSize, kPatchCount, 2), kPatchCount);
+  const Partition patches =
+      twin::partition(twin::random_patches(kStepsSize, kStepsSize, kStepsPatches, 2), kStepsPatches);
   const auto contents = random_contents(4, 3);
   BorderSteps steps(contents, luv, patches);
-  std::vector<std::vector<size_t>> has(kPatchCount, {0, 2});
-  for (size_t p = 0; p < kPatchCount; ++p)
+  std::vector<std::vector<size_t>> has(kStepsPatches, {0, 2});
+  for (size_t p = 0; p < kStepsPatches; ++p)
     for (const size_t number : {0, 1, 2}) steps.add(p, number);
-  for (size_t p = 0; p < kPatchCount; ++p) steps.remove(p, 1);
-  for (uint32_t p = 0; p < kPatchCount; ++p)
+  for (size_t p = 0; p < kStepsPatches; ++p) steps.remove(p, 1);
+  for (uint32_t p = 0; p < kStepsPatches; ++p)
     for (size_t number = 0; number < 4; ++number)
       EXPECT_NEAR(steps.visibility(p, number), slow_visibility(contents, luv, patches, has, p, number), 2e-6);  // 2^-20
 }
@@ -85,9 +87,9 @@ TEST(BorderSteps, VisibilityIsWhatItsDefinitionSaysWhateverCameAndWent) {
 TEST(BorderSteps, WhatIsNotExchangedIsHalfVisible) {
   // Two patches have one border: ½ by symmetry, and half of the steps beyond the 95th percentile.
   const Image<V3f> luv = grain(4);
-  Image<uint32_t> halves(kSize, kSize);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = kSize / 2; x < kSize; ++x) halves(x, y) = 1;
+  Image<uint32_t> halves(kStepsSize, kStepsSize);
+  for (int y = 0; y < kStepsSize; ++y)
+    for (int x = kStepsSize / 2; x < kStepsSize; ++x) halves(x, y) = 1;
   const Partition patches = twin::partition(std::move(halves), 2);
   const std::vector<std::vector<Content>> contents(2, std::vector<Content>(1));
   BorderSteps steps(contents, luv, patches);
@@ -97,7 +99,7 @@ TEST(BorderSteps, WhatIsNotExchangedIsHalfVisible) {
 
 TEST(BorderSteps, WithoutNeighboursNothingIsVisible) {
   const Image<V3f> luv = grain(6);
-  const Partition patches = twin::partition(Image<uint32_t>(kSize, kSize), 1);
+  const Partition patches = twin::partition(Image<uint32_t>(kStepsSize, kStepsSize), 1);
   const std::vector<std::vector<Content>> contents(1, std::vector<Content>(2));
   BorderSteps steps(contents, luv, patches);
   steps.add(0, 0);

@@ -15,17 +15,18 @@ namespace {
 using ::testing::Each;
 using ::testing::ElementsAre;
 
-constexpr int kSize = 256;
-constexpr int kPatchCount = 9;
+constexpr int kChoiceSize = 256;
+constexpr int kChoicePatches = 9;
 
 // Grain on a slow wave along x and y: what a border cannot see and the eye sees from afar.
 Image<V3f> slow_waves() {
-  Image<V3f> image(kSize, kSize);
+  Image<V3f> image(kChoiceSize, kChoiceSize);
   Random random(1);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
-      image(x, y) = V3f(50.0f + 15.0f * static_cast<float>(std::cos(2.0 * M_PI * x / kSize)) + 20.0f * random.uniform(),
-                        10.0f * static_cast<float>(std::sin(2.0 * M_PI * y / kSize)), 0.0f);
+  for (int y = 0; y < kChoiceSize; ++y)
+    for (int x = 0; x < kChoiceSize; ++x)
+      image(x, y) =
+          V3f(50.0f + 15.0f * static_cast<float>(std::cos(2.0 * M_PI * x / kChoiceSize)) + 20.0f * random.uniform(),
+              10.0f * static_cast<float>(std::sin(2.0 * M_PI * y / kChoiceSize)), 0.0f);
   return image;
 }
 
@@ -37,13 +38,15 @@ ContentCandidates candidates_near_first() {
     candidates.push_back(make_content({i % 2 ? reach : -reach, i % 3 ? reach : -reach}, 0, 1.0f));
     candidates.back().impact = 1000.0f + static_cast<float>(i);
   }
-  return ContentCandidates(kPatchCount, candidates);
+  return ContentCandidates(kChoicePatches, candidates);
 }
 
-Partition patches_of_tile() { return twin::partition(twin::random_patches(kSize, kSize, kPatchCount, 4), kPatchCount); }
+Partition patches_of_tile() {
+  return twin::partition(twin::random_patches(kChoiceSize, kChoiceSize, kChoicePatches, 4), kChoicePatches);
+}
 
 ContentTable table(const ContentCandidates& candidates, const ChosenCandidates& chosen) {
-  ContentTable result{kPatchCount, static_cast<int>(chosen[0].size()) + 1, {}};
+  ContentTable result{kChoicePatches, static_cast<int>(chosen[0].size()) + 1, {}};
   for (size_t patch = 0; patch < chosen.size(); ++patch) {
     result.contents.emplace_back();
     for (const int number : chosen[patch]) result.contents.push_back(candidates[patch][static_cast<size_t>(number)]);
@@ -73,10 +76,10 @@ TEST(Choice, BalancedKeepsTheEnergyOfLargeShapes) {
   const auto candidates = candidates_near_first();
   const auto chosen = table(candidates, choose_balanced(candidates, 4, luv, patches, 1));
   double shown = 0.0, own = 0.0;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
+  for (int y = 0; y < kChoiceSize; ++y)
+    for (int x = 0; x < kChoiceSize; ++x)
       for (const Content& content : chosen.of(static_cast<int>(patches.idx(x, y)))) {
-        const auto wave = [](int px) { return std::pow(std::cos(2.0 * M_PI * px / kSize), 2); };
+        const auto wave = [](int px) { return std::pow(std::cos(2.0 * M_PI * px / kChoiceSize), 2); };
         shown += wave(x + content.translation.x);
         own += wave(x);
       }
@@ -85,14 +88,14 @@ TEST(Choice, BalancedKeepsTheEnergyOfLargeShapes) {
 
 TEST(Choice, BalancedEvensOutTheUseOfTheExemplar) {
   // A constant tile, and for each patch other candidates at random.
-  const Image<V3f> luv(kSize, kSize, V3f(50, 0, 0));
+  const Image<V3f> luv(kChoiceSize, kChoiceSize, V3f(50, 0, 0));
   const Partition patches = patches_of_tile();
   Random random(6);
-  ContentCandidates candidates(kPatchCount);
+  ContentCandidates candidates(kChoicePatches);
   for (auto& of_patch : candidates)
     for (int i = 0; i < 40; ++i) {
-      of_patch.push_back(
-          make_content({static_cast<int>(random.below(kSize)), static_cast<int>(random.below(kSize))}, 0, 1.0f));
+      of_patch.push_back(make_content(
+          {static_cast<int>(random.below(kChoiceSize)), static_cast<int>(random.below(kChoiceSize))}, 0, 1.0f));
       of_patch.back().impact = 1000.0f + static_cast<float>(i);
     }
   const auto use = [&](const ChosenCandidates& chosen) {
@@ -106,23 +109,25 @@ TEST(Choice, BalancedKeepsToLowImpactWhereTheRestIsEqual) {
   auto candidates = candidates_near_first();
   for (auto& of_patch : candidates)
     for (size_t i = 20; i < 40; ++i) of_patch[i].impact = 10000.0f;
-  const auto chosen = choose_balanced(candidates, 4, Image<V3f>(kSize, kSize, V3f(50, 0, 0)), patches_of_tile(), 1);
+  const auto chosen =
+      choose_balanced(candidates, 4, Image<V3f>(kChoiceSize, kChoiceSize, V3f(50, 0, 0)), patches_of_tile(), 1);
   EXPECT_THAT(chosen, Each(Each(::testing::Lt(20))));
 }
 
 TEST(Choice, BalancedKeepsBordersUnseenWhereAskedTo) {
   // A picture of faint vertical stripes eight texels apart, and candidates half of which move by whole stripes.
-  Image<V3f> luv(kSize, kSize);
+  Image<V3f> luv(kChoiceSize, kChoiceSize);
   Random grain(8);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) luv(x, y) = V3f((x / 4 % 2 ? 45.2f : 44.8f) + 0.05f * grain.uniform(), 0, 0);
+  for (int y = 0; y < kChoiceSize; ++y)
+    for (int x = 0; x < kChoiceSize; ++x) luv(x, y) = V3f((x / 4 % 2 ? 45.2f : 44.8f) + 0.05f * grain.uniform(), 0, 0);
   const Partition patches = patches_of_tile();
   Random random(9);
-  ContentCandidates candidates(kPatchCount);
+  ContentCandidates candidates(kChoicePatches);
   for (auto& of_patch : candidates)
     for (int i = 0; i < 40; ++i) {
-      const int stripes = 8 * static_cast<int>(random.below(kSize / 8));
-      of_patch.push_back(make_content({stripes + (i % 2 ? 4 : 0), static_cast<int>(random.below(kSize))}, 0, 1.0f));
+      const int stripes = 8 * static_cast<int>(random.below(kChoiceSize / 8));
+      of_patch.push_back(
+          make_content({stripes + (i % 2 ? 4 : 0), static_cast<int>(random.below(kChoiceSize))}, 0, 1.0f));
       of_patch.back().impact = 1000.0f;
     }
   const auto broken_stripes = [&](const ChoiceWeights& weights) {

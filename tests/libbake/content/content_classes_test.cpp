@@ -8,8 +8,8 @@ namespace texbake {
 namespace {
 
 // Classes 0 and 2 of a palette of three, of one colour each, v constant but for a spot in class 2 that stands out.
-struct Fixture {
-  Fixture() : base(64, 64, V3f(0.2f, 0.3f, 0.1f)) {
+struct ClassesFixture {
+  ClassesFixture() : base(64, 64, V3f(0.2f, 0.3f, 0.1f)) {
     colors.palette.classes.resize(3);
     colors.index = Image<uint8_t>(64, 64);
     colors.variation = Image<float>(64, 64);
@@ -29,7 +29,7 @@ struct Fixture {
 };
 
 TEST(ContentClasses, AreDominantColoursSplitBySaliencyWithoutEmptyOnes) {
-  const Fixture f;
+  const ClassesFixture f;
   const ContentClasses classes = content_classes(f.colors, f.base);
   ASSERT_EQ(classes.count(), 3);  // class 0, class 2, the salient part of class 2
   EXPECT_EQ(classes.idx(10, 10), 0);
@@ -39,7 +39,7 @@ TEST(ContentClasses, AreDominantColoursSplitBySaliencyWithoutEmptyOnes) {
 }
 
 TEST(ContentClasses, HaveTheMeanColoursOfTheirTexels) {
-  const Fixture f;
+  const ClassesFixture f;
   const ContentClasses classes = content_classes(f.colors, f.base);
   const V3f expected[] = {luv_from_linear(V3f(0.2f, 0.3f, 0.1f)), luv_from_linear(V3f(0.7f, 0.6f, 0.5f)),
                           luv_from_linear(V3f(0.9f, 0.9f, 0.9f))};

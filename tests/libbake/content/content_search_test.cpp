@@ -13,24 +13,24 @@ namespace {
 
 using ::testing::ElementsAreArray;
 
-struct Tile {
+struct SearchTile {
   Image<uint8_t> classes;
   ClassDistances distances;
   Image<uint32_t> patches;
   int patch_count;
 };
 
-Tile random_tile(int width, int height, int class_count, int patch_count, uint64_t seed) {
+SearchTile random_tile(int width, int height, int class_count, int patch_count, uint64_t seed) {
   return {twin::random_classes(width, height, class_count, seed),
           class_distances(twin::random_colors(class_count, seed)),
           twin::random_patches(width, height, patch_count, seed), patch_count};
 }
 
-SearchResult search(const Tile& tile, const SearchRequest& request) {
+SearchResult search(const SearchTile& tile, const SearchRequest& request) {
   return search_contents(tile.classes, tile.distances, patch_borders(tile.patches, tile.patch_count), request);
 }
 
-void expect_equal_to_the_twin(const Tile& tile, const SearchRequest& request) {
+void expect_equal_to_the_twin(const SearchTile& tile, const SearchRequest& request) {
   const SearchResult found = search(tile, request);
   for (int patch = 0; patch < tile.patch_count; ++patch) {
     const auto border = twin::dilated_border(tile.patches, static_cast<uint32_t>(patch));
@@ -70,7 +70,7 @@ uint64_t error_sum(const Candidates& candidates, V2i t) {
 }
 
 TEST(ContentSearch, KeepsToTheAllowedTranslations) {
-  const Tile tile = random_tile(70, 40, 5, 3, 4);
+  const SearchTile tile = random_tile(70, 40, 5, 3, 4);
   Image<uint8_t> allowed(70, 40);
   for (int y = 0; y < 40; y += 5)
     for (int x = 0; x < 70; x += 7) allowed(x, y) = 1;
@@ -107,7 +107,7 @@ TEST(ContentSearch, SumsTheErrorsOfEquation3) {
 }
 
 TEST(ContentSearch, IsTheSameForAnyNumberOfThreads) {
-  const Tile tile = random_tile(64, 50, 6, 4, 9);
+  const SearchTile tile = random_tile(64, 50, 6, 4, 9);
   const SearchRequest request{8, 6};
   const SearchResult all = search(tile, request);
   for (const size_t threads : {1u, 2u, 3u, 8u}) {
@@ -119,7 +119,7 @@ TEST(ContentSearch, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(ContentSearch, IsTheSameForAnyInstructionSet) {
-  const Tile tile = random_tile(40, 22, 20, 3, 10);
+  const SearchTile tile = random_tile(40, 22, 20, 3, 10);
   const SearchRequest request{8, 6};
   const SearchResult best = search(tile, request);
   for (int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
@@ -133,23 +133,23 @@ TEST(ContentSearch, IsTheSameForAnyInstructionSet) {
 
 TEST(ContentSearch, FindsAPlantedCopyWithoutImpact) {
   // Patch 0 is a square in noise; the same texels, with what the border sees around them, stand at (37, 29).
-  constexpr int kSize = 96;
-  Image<uint8_t> classes = twin::random_classes(kSize, kSize, 6, 4);
-  Image<uint32_t> patches(kSize, kSize, 1);
+  constexpr int kSearchSize = 96;
+  Image<uint8_t> classes = twin::random_classes(kSearchSize, kSearchSize, 6, 4);
+  Image<uint32_t> patches(kSearchSize, kSearchSize, 1);
   for (int y = 20; y < 36; ++y)
-    for (int x = 88; x < 104; ++x) patches(wrap(x, kSize), y) = 0;  // across the border of the tile
+    for (int x = 88; x < 104; ++x) patches(wrap(x, kSearchSize), y) = 0;  // across the border of the tile
   for (int y = 20 - 6; y < 36 + 6; ++y)
     for (int x = 88 - 6; x < 104 + 6; ++x)
-      classes(wrap(x + 37, kSize), wrap(y + 29, kSize)) = classes(wrap(x, kSize), y);
+      classes(wrap(x + 37, kSearchSize), wrap(y + 29, kSearchSize)) = classes(wrap(x, kSearchSize), y);
 
-  const Tile tile{classes.clone(), class_distances(twin::random_colors(6, 4)), patches.clone(), 2};
+  const SearchTile tile{classes.clone(), class_distances(twin::random_colors(6, 4)), patches.clone(), 2};
   const Candidate best = search(tile, {5, 8}).candidates[0][0];
   EXPECT_EQ(best.translation, V2i(37, 29));
   EXPECT_EQ(best.error_sum, 0u);
 }
 
 TEST(ContentSearch, KeepsCandidatesApartOnTheTorus) {
-  const Tile tile = random_tile(96, 64, 4, 4, 5);
+  const SearchTile tile = random_tile(96, 64, 4, 4, 5);
   const SearchRequest request{20, 9};
   for (const Candidates& candidates : search(tile, request).candidates) {
     EXPECT_EQ(candidates.size(), 20u);
@@ -168,8 +168,8 @@ TEST(ContentSearch, ComputesFewErrorsWhereManyTranslationsArePerfect) {
   Image<uint8_t> classes = twin::random_classes(128, 128, 6, 8);
   for (int y = 0; y < 128; ++y)
     for (int x = 0; x < 128; ++x) classes(x, y) = classes(x % 16, y % 16);
-  const Tile tile{std::move(classes), class_distances(twin::random_colors(6, 8)), twin::random_patches(128, 128, 6, 8),
-                  6};
+  const SearchTile tile{std::move(classes), class_distances(twin::random_colors(6, 8)),
+                        twin::random_patches(128, 128, 6, 8), 6};
   const SearchResult found = search(tile, {3, 8});
   for (const Candidates& candidates : found.candidates) EXPECT_EQ(candidates[2].error_sum, 0u);
   EXPECT_LT(found.error_count, found.all_error_count / 2);

@@ -12,22 +12,22 @@
 namespace texbake {
 namespace {
 
-constexpr int kSize = 256;
+constexpr int kFarSize = 256;
 constexpr int kCell = 8;  // 32 cells along a side, of eight pieces each: a piece is a texel
-constexpr int kCells = kSize / kCell;
+constexpr int kCells = kFarSize / kCell;
 constexpr double kSigma = kCells / 16.0;
 
 Image<V3f> grain_on_a_wave() {
-  Image<V3f> image(kSize, kSize);
+  Image<V3f> image(kFarSize, kFarSize);
   Random random(3);
   for (V3f& c : image) c = V3f(40.0f + 20.0f * random.uniform(), 10.0f * random.uniform(), 0.0f);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
-      image(x, y).z = 10.0f * static_cast<float>(std::sin(2.0 * M_PI * (x + 2 * y) / kSize));
+  for (int y = 0; y < kFarSize; ++y)
+    for (int x = 0; x < kFarSize; ++x)
+      image(x, y).z = 10.0f * static_cast<float>(std::sin(2.0 * M_PI * (x + 2 * y) / kFarSize));
   return image;
 }
 
-Partition some_patches(int count) { return twin::partition(twin::random_patches(kSize, kSize, count, 5), count); }
+Partition some_patches(int count) { return twin::partition(twin::random_patches(kFarSize, kFarSize, count, 5), count); }
 
 // The obvious way: the picture less the tile's mean, its cells' means, blurred.
 Image<V3f> seen_from_afar(const Image<V3f>& picture, const Image<V3f>& tile) {
@@ -36,8 +36,8 @@ Image<V3f> seen_from_afar(const Image<V3f>& picture, const Image<V3f>& tile) {
     for (int i = 0; i < 3; ++i) mean[i] += static_cast<double>(c[i]) / static_cast<double>(tile.size());
   const V3f m(static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2]));
   Image<V3f> cells(kCells, kCells, V3f(0));
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) cells(x / kCell, y / kCell) += (picture(x, y) - m) / float(kCell * kCell);
+  for (int y = 0; y < kFarSize; ++y)
+    for (int x = 0; x < kFarSize; ++x) cells(x / kCell, y / kCell) += (picture(x, y) - m) / float(kCell * kCell);
   return gaussian_blur(cells, kSigma, Wrap::repeat);
 }
 
@@ -49,9 +49,9 @@ double energy(const Image<V3f>& picture) {
 
 // What the tile shows where every patch P has the content contents[P].
 Image<V3f> picture_of(const Image<V3f>& tile, const Partition& patches, const std::vector<Content>& contents) {
-  Image<V3f> picture(kSize, kSize);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
+  Image<V3f> picture(kFarSize, kFarSize);
+  for (int y = 0; y < kFarSize; ++y)
+    for (int x = 0; x < kFarSize; ++x) {
       const uint32_t patch = patches.idx(x, y);
       const V2i source = shown_source(patches, patch, {x, y}, contents[patch]);
       picture(x, y) = tile(source.x, source.y);
@@ -100,9 +100,9 @@ TEST(FarView, BlursTwiceAcrossTheBordersOfTheTile) {
 
 TEST(FarView, KeepsALongWaveAndDropsAShortOne) {
   const auto energy_of = [](double length_px, FarBlur blur) {
-    Image<V3f> image(kSize, kSize);
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x)
+    Image<V3f> image(kFarSize, kFarSize);
+    for (int y = 0; y < kFarSize; ++y)
+      for (int x = 0; x < kFarSize; ++x)
         image(x, y) = V3f(50.0f + 10.0f * static_cast<float>(std::cos(2.0 * M_PI * x / length_px)), 0, 0);
     const Partition patches = some_patches(1);
     return FarView(image, patches).tile_energy(blur) / (kCells * kCells);

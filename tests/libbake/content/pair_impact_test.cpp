@@ -7,14 +7,14 @@
 namespace texbake {
 namespace {
 
-struct Fixture {
+struct PairFixture {
   Image<uint8_t> classes = twin::random_classes(48, 40, 5, 2);
   ClassDistances distances = class_distances(twin::random_colors(5, 2));
   Partition patches = twin::partition(twin::random_patches(48, 40, 4, 2), 4);
 };
 
 TEST(PairImpact, IsNothingWhereAllPatchesMoveTogether) {
-  const Fixture f;
+  const PairFixture f;
   const ContentTable same = twin::table(4, {V2i(11, 7)});
   const PairImpact pairs = pair_impact(f.classes, f.distances, f.patches, same);
   EXPECT_EQ(pairs.mean, 0.0);
@@ -39,7 +39,7 @@ TEST(PairImpact, ComparesWhatBothSidesShowAlongTheirBorder) {
 }
 
 TEST(PairImpact, IsTheMeanAndTheWorstOfAllPairs) {
-  const Fixture f;
+  const PairFixture f;
   double sum = 0.0, worst = 0.0;
   const std::vector<V2i> contents = {V2i(0, 0), V2i(13, 5), V2i(20, 31)};
   // Two patches only: every pair on its own.

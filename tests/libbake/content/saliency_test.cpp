@@ -7,23 +7,23 @@
 namespace texbake {
 namespace {
 
-constexpr int kSize = 128;
+constexpr int kSalientSize = 128;
 
 // Fine grain of v around 0 in every class, with a blob of v = 20 at `odd`, 12 texels wide, in class 0.
 PrincipalVariation grain_with_odd_blob(V2i odd) {
   PrincipalVariation colors;
   colors.palette.classes.resize(2);
-  colors.index = Image<uint8_t>(kSize, kSize);
-  colors.variation = Image<float>(kSize, kSize);
+  colors.index = Image<uint8_t>(kSalientSize, kSalientSize);
+  colors.variation = Image<float>(kSalientSize, kSalientSize);
   Random random(3);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kSalientSize; ++y)
+    for (int x = 0; x < kSalientSize; ++x) {
       colors.index(x, y) = x % 32 < 8 ? 1 : 0;
       colors.variation(x, y) = 4.0f * random.uniform() - 2.0f;
     }
   for (int y = -6; y < 6; ++y)
     for (int x = -6; x < 6; ++x) {
-      const V2i p = wrap(odd + V2i(x, y), V2i(kSize, kSize));
+      const V2i p = wrap(odd + V2i(x, y), V2i(kSalientSize, kSalientSize));
       colors.index(p.x, p.y) = 0;
       colors.variation(p.x, p.y) = 20.0f;
     }
@@ -38,11 +38,11 @@ TEST_P(SaliencyOfAnOddBlob, IsTheGreatestAndAboveTheThreshold) {
   const Image<float> salient = saliency(colors);
   const float threshold = two_class_threshold(salient);
   int others = 0;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kSalientSize; ++y)
+    for (int x = 0; x < kSalientSize; ++x) {
       EXPECT_GE(salient(x, y), 0.0f);
       EXPECT_LE(salient(x, y), 1.0f);
-      const V2i d = shortest(V2i(x, y) - odd, V2i(kSize, kSize));
+      const V2i d = shortest(V2i(x, y) - odd, V2i(kSalientSize, kSalientSize));
       if (d.x >= -6 && d.x < 6 && d.y >= -6 && d.y < 6)
         EXPECT_GT(salient(x, y), threshold) << x << ' ' << y;
       else

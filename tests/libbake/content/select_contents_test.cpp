@@ -12,57 +12,58 @@
 namespace texbake {
 namespace {
 
-constexpr int kSize = 128;
-constexpr int kPatchCount = 9;
+constexpr int kSelectedSize = 128;
+constexpr int kSelectedPatches = 9;
 
 // Blobs of four colours on a slow change of light, in nine square patches with wavy borders.
-struct Fixture {
-  Fixture() : base(kSize, kSize) {
+struct SelectionFixture {
+  SelectionFixture() : base(kSelectedSize, kSelectedSize) {
     colors.palette.classes.resize(4);
-    colors.index = twin::random_classes(kSize, kSize, 4, 5);
-    colors.variation = Image<float>(kSize, kSize);
+    colors.index = twin::random_classes(kSelectedSize, kSelectedSize, 4, 5);
+    colors.variation = Image<float>(kSelectedSize, kSelectedSize);
     const V3f linear[] = {{0.1f, 0.1f, 0.05f}, {0.3f, 0.2f, 0.1f}, {0.2f, 0.4f, 0.2f}, {0.7f, 0.6f, 0.5f}};
-    Image<uint32_t> idx(kSize, kSize);
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x) {
-        const auto light = static_cast<float>(1.0 + 0.5 * std::cos(2.0 * M_PI * (x + y) / kSize));
+    Image<uint32_t> idx(kSelectedSize, kSelectedSize);
+    for (int y = 0; y < kSelectedSize; ++y)
+      for (int x = 0; x < kSelectedSize; ++x) {
+        const auto light = static_cast<float>(1.0 + 0.5 * std::cos(2.0 * M_PI * (x + y) / kSelectedSize));
         base(x, y) = linear[colors.index(x, y)] * light;
         colors.variation(x, y) = 20.0f * (light - 1.0f);
         const auto wave = [](int p) { return static_cast<int>(std::lround(5.0 * std::sin(2.0 * M_PI * p / 32))); };
-        const int column = wrap(x + wave(y), kSize) * 3 / kSize;
-        const int row = wrap(y + wave(x), kSize) * 3 / kSize;
+        const int column = wrap(x + wave(y), kSelectedSize) * 3 / kSelectedSize;
+        const int row = wrap(y + wave(x), kSelectedSize) * 3 / kSelectedSize;
         idx(x, y) = static_cast<uint32_t>(3 * row + column);
       }
     patches.partition.idx = std::move(idx);
-    for (int i = 0; i < kPatchCount; ++i)
-      patches.partition.centers.emplace_back((2 * (i % 3) + 1) * kSize / 6, (2 * (i / 3) + 1) * kSize / 6);
+    for (int i = 0; i < kSelectedPatches; ++i)
+      patches.partition.centers.emplace_back((2 * (i % 3) + 1) * kSelectedSize / 6,
+                                             (2 * (i / 3) + 1) * kSelectedSize / 6);
   }
   PrincipalVariation colors;
   Image<V3f> base;
   PatchMap patches;
 };
 
-ContentSelection select(const Fixture& f, const SelectContentsOptions& options = {}) {
+ContentSelection select(const SelectionFixture& f, const SelectContentsOptions& options = {}) {
   return select_contents(f.colors, f.base, f.patches, options);
 }
 
 TEST(SelectContents, GivesEveryPatchTheIdentityAndOthersFarFromIt) {
-  const Fixture f;
+  const SelectionFixture f;
   SelectContentsOptions options;
   options.count = 5;
   options.separation_px = 10;
   const ContentTable table = select(f, options).table;
-  EXPECT_EQ(table.patch_count, kPatchCount);
+  EXPECT_EQ(table.patch_count, kSelectedPatches);
   EXPECT_EQ(table.content_count, 5);
   ASSERT_EQ(table.contents.size(), 45u);
-  for (int patch = 0; patch < kPatchCount; ++patch) {
+  for (int patch = 0; patch < kSelectedPatches; ++patch) {
     EXPECT_EQ(table.at(patch, 0), Content{});
     for (int content = 1; content < 5; ++content) {
       const V2i t = table.at(patch, content).translation;
-      EXPECT_EQ(t, shortest(t, V2i(kSize, kSize)));
+      EXPECT_EQ(t, shortest(t, V2i(kSelectedSize, kSelectedSize)));
       EXPECT_GE(table.at(patch, content).impact, table.at(patch, content - 1).impact);
       for (int other = 0; other < content; ++other)
-        EXPECT_TRUE(far_enough(t, table.at(patch, other).translation, {kSize, kSize}, 10));
+        EXPECT_TRUE(far_enough(t, table.at(patch, other).translation, {kSelectedSize, kSelectedSize}, 10));
     }
   }
 }
@@ -70,14 +71,14 @@ TEST(SelectContents, GivesEveryPatchTheIdentityAndOthersFarFromIt) {
 TEST(SelectContents, OneContentIsTheIdentityAlone) {
   SelectContentsOptions options;
   options.count = 1;
-  const ContentSelection selection = select(Fixture(), options);
+  const ContentSelection selection = select(SelectionFixture(), options);
   EXPECT_EQ(selection.table.content_count, 1);
   EXPECT_THAT(selection.table.contents, ::testing::Each(Content{}));
   EXPECT_DOUBLE_EQ(selection.figures.repetition_far, 1.0);
 }
 
 TEST(SelectContents, BalancedRepeatsLessFromAfarThanLeastImpact) {
-  const Fixture f;
+  const SelectionFixture f;
   SelectContentsOptions impact;
   impact.choice = Choice::impact;
   const auto least = select(f, impact).figures;
@@ -89,7 +90,7 @@ TEST(SelectContents, BalancedRepeatsLessFromAfarThanLeastImpact) {
 }
 
 TEST(SelectContents, IsTheSameForAnyNumberOfThreads) {
-  const Fixture f;
+  const SelectionFixture f;
   const ContentSelection all = select(f);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   const ContentSelection one = select(f);
@@ -104,7 +105,7 @@ TEST(SelectContents, ATileWithoutRoomForTheContentsIsRefusedWithNumbers) {
   options.separation_px = 64;  // on a torus of 128 only three others are that far apart
   options.count = 5;
   try {
-    select(Fixture(), options);
+    select(SelectionFixture(), options);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::infeasible);
@@ -112,11 +113,11 @@ TEST(SelectContents, ATileWithoutRoomForTheContentsIsRefusedWithNumbers) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("the tile has 3"));
   }
   options.count = 4;
-  EXPECT_EQ(select(Fixture(), options).table.content_count, 4);
+  EXPECT_EQ(select(SelectionFixture(), options).table.content_count, 4);
 }
 
 TEST(SelectContents, ProgressNeverFallsAndEndsAtOne) {
-  const Fixture f;
+  const SelectionFixture f;
   double last = 0.0;
   select_contents(f.colors, f.base, f.patches, {}, [&](double done) {
     EXPECT_GE(done, last);
@@ -139,14 +140,14 @@ TEST(SelectContents, ResolvesWhatIsNotGivenFromTheTile) {
 }
 
 TEST(SelectContents, TurnsContentsWhenAsked) {
-  const Fixture f;
+  const SelectionFixture f;
   SelectContentsOptions options;
   options.rotations = 4;
   options.scales = 2;
   const ContentSelection selection = select(f, options);
   EXPECT_EQ(selection.effective.search, Search::refined);
   int turned = 0;
-  for (int patch = 0; patch < kPatchCount; ++patch) {
+  for (int patch = 0; patch < kSelectedPatches; ++patch) {
     EXPECT_EQ(selection.table.at(patch, 0), Content{});
     for (const Content& content : selection.table.of(patch)) {
       Content made = make_content(content.translation, content.rotation_eighths, content.scale);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 60, kHeight = 44;
 
-struct Fixture {
+struct TurnedFixture {
   Image<uint8_t> classes = twin::random_classes(kWidth, kHeight, 6, 3);
   ClassDistances distances = class_distances(twin::random_colors(6, 3));
   V2i center{55, 4};  // the patch, a disc, lies across the corner of the tile
@@ -33,13 +33,13 @@ struct Fixture {
 };
 
 TEST(TurnedImpact, OfAMoveIsThatOfTheExactSearch) {
-  const Fixture f;
+  const TurnedFixture f;
   for (const V2i& t : {V2i(0, 0), V2i(1, 0), V2i(-17, 9), V2i(30, -22)})
     EXPECT_EQ(f.error_sum(make_content(t, 0, 1.0f)), twin::error_sum(f.classes, f.distances, f.border(), t));
 }
 
 TEST(TurnedImpact, EqualsTheObviousSumForEveryTurn) {
-  const Fixture f;
+  const TurnedFixture f;
   for (const Content& turn : make_turns(8, 3, 0.5f)) {
     Content content = turn;
     content.translation = {12, -7};
@@ -49,7 +49,7 @@ TEST(TurnedImpact, EqualsTheObviousSumForEveryTurn) {
 }
 
 TEST(TurnedImpact, OneObjectMeasuresOneTurnAfterTheOther) {
-  const Fixture f;
+  const TurnedFixture f;
   std::vector<V2i> offsets;
   for (const V2i& p : f.border()) offsets.push_back(shortest(p - f.center, f.size));
   TurnedImpact impact(f.classes, f.distances, offsets, f.center);
@@ -58,7 +58,7 @@ TEST(TurnedImpact, OneObjectMeasuresOneTurnAfterTheOther) {
 
 TEST(TurnedImpact, IsWhatTheEvaluatorDraws) {
   // The patch, claimed to reach over the whole tile, drawn by the reference text: the texel that shows at each place.
-  const Fixture f;
+  const TurnedFixture f;
   PatchMap patches;
   patches.partition = twin::partition(Image<uint32_t>(kWidth, kHeight), 1);
   patches.partition.centers[0] = f.center;

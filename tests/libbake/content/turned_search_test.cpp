@@ -9,11 +9,11 @@
 namespace texbake {
 namespace {
 
-constexpr int kSize = 72;
+constexpr int kTurnedSize = 72;
 
 // Square patches, `across` by `across`.
-struct Tile {
-  explicit Tile(uint64_t seed, int size = kSize, int across = 3)
+struct TurnedTile {
+  explicit TurnedTile(uint64_t seed, int size = kTurnedSize, int across = 3)
       : classes(twin::random_classes(size, size, 5, seed)), distances(class_distances(twin::random_colors(5, seed))) {
     Image<uint32_t> idx(size, size);
     for (int y = 0; y < size; ++y)
@@ -49,7 +49,7 @@ TEST(TurnedSearch, TurnsAreAllRotationsOfAllScalesTheIdentityFirst) {
 }
 
 TEST(TurnedSearch, GivesExactErrorsFarApartInOrder) {
-  const Tile tile(1);
+  const TurnedTile tile(1);
   const Turns turns = make_turns(8, 2, 0.5f);
   const SearchResult found = tile.search(turns, {12, 9});
   for (uint32_t patch = 0; patch < 9; ++patch) {
@@ -60,15 +60,15 @@ TEST(TurnedSearch, GivesExactErrorsFarApartInOrder) {
       EXPECT_EQ(candidate.error_sum,
                 tile.obvious_error_sum(patch, turns[static_cast<size_t>(candidate.turn)], candidate.translation));
       EXPECT_GE(candidate.error_sum, candidates[a > 0 ? a - 1 : 0].error_sum);
-      EXPECT_TRUE(far_enough(candidate.translation, {0, 0}, {kSize, kSize}, 9));
+      EXPECT_TRUE(far_enough(candidate.translation, {0, 0}, {kTurnedSize, kTurnedSize}, 9));
       for (size_t b = 0; b < a; ++b)
-        EXPECT_TRUE(far_enough(candidate.translation, candidates[b].translation, {kSize, kSize}, 9));
+        EXPECT_TRUE(far_enough(candidate.translation, candidates[b].translation, {kTurnedSize, kTurnedSize}, 9));
     }
   }
 }
 
 TEST(TurnedSearch, WithoutTurnsFindsNearlyWhatTheExactSearchFinds) {
-  const Tile tile(2);
+  const TurnedTile tile(2);
   const SearchRequest request{10, 7};
   const SearchResult refined = tile.search(make_turns(1, 1, 0.5f), request);
   const SearchResult exact = search_contents(tile.classes, tile.distances, patch_borders(tile.patches.idx, 9), request);
@@ -85,7 +85,7 @@ TEST(TurnedSearch, WithoutTurnsFindsNearlyWhatTheExactSearchFinds) {
 }
 
 // Puts what the border of the middle patch sees elsewhere, so that `content` shows it there again.
-void plant(Tile& tile, const Content& content) {
+void plant(TurnedTile& tile, const Content& content) {
   const V2i center = tile.patches.centers[4];
   const Image<uint8_t> before = tile.classes.clone();
   for (int y = -17; y <= 17; ++y)
@@ -98,13 +98,14 @@ void plant(Tile& tile, const Content& content) {
 
 TEST(TurnedSearch, FindsAPlantedCopyThatIsTurned) {
   for (const int eighths : {2, 4, 6}) {
-    Tile tile(3);
+    TurnedTile tile(3);
     const Content planted = make_content({36, 35}, eighths, 1.0f);
     plant(tile, planted);
     const Turns turns = make_turns(8, 2, 0.5f);
     const Candidate best = tile.search(turns, {5, 8}).candidates[4][0];
     EXPECT_EQ(best.error_sum, 0u);
-    EXPECT_EQ(shortest(best.translation, {kSize, kSize}), shortest(V2i(36, 35), {kSize, kSize}));
+    EXPECT_EQ(shortest(best.translation, {kTurnedSize, kTurnedSize}),
+              shortest(V2i(36, 35), {kTurnedSize, kTurnedSize}));
     EXPECT_EQ(turns[static_cast<size_t>(best.turn)].rotation_eighths, eighths);
   }
 }
@@ -112,7 +113,7 @@ TEST(TurnedSearch, FindsAPlantedCopyThatIsTurned) {
 TEST(TurnedSearch, FindsAPlantedCopyThatIsLarger) {
   // On a tile whose cells are larger than texels, a turned copy at twice the size, of all that the border of a patch of
   // 60 × 60 texels sees: within 35 texels of its centre, of 70 around that of the copy.
-  Tile tile(4, 300, 5);
+  TurnedTile tile(4, 300, 5);
   const V2i center = tile.patches.centers[12], size(300, 300);
   const Content planted = make_content({-148, 147}, 2, 0.5f);
   Image<uint8_t> classes = tile.classes.clone();
@@ -132,7 +133,7 @@ TEST(TurnedSearch, FindsAPlantedCopyThatIsLarger) {
 }
 
 TEST(TurnedSearch, IsTheSameForAnyNumberOfThreads) {
-  const Tile tile(5);
+  const TurnedTile tile(5);
   const Turns turns = make_turns(4, 2, 0.5f);
   const SearchResult all = tile.search(turns, {8, 6});
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);

@@ -9,7 +9,7 @@
 namespace texbake {
 namespace {
 
-PrincipalVariation one_class(Image<float> variation) {
+PrincipalVariation of_one_class(Image<float> variation) {
   PrincipalVariation colors;
   colors.palette.classes.resize(1);
   colors.index = Image<uint8_t>(variation.width(), variation.height());
@@ -21,7 +21,7 @@ TEST(Descriptor, ARampHasItsSlopeAtEveryScale) {
   Image<float> ramp(64, 64);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) ramp(x, y) = 0.25f * static_cast<float>(x) - 0.5f * static_cast<float>(y);
-  const Descriptor descriptor = ClassGradients(one_class(std::move(ramp)), 0).at({32, 32});  // far from the wrap
+  const Descriptor descriptor = ClassGradients(of_one_class(std::move(ramp)), 0).at({32, 32});  // far from the wrap
   for (size_t i = 0; i < descriptor.size(); i += 2) {
     EXPECT_NEAR(descriptor[i], 0.25f, 1e-4f);
     EXPECT_NEAR(descriptor[i + 1], -0.5f, 1e-4f);
@@ -29,7 +29,7 @@ TEST(Descriptor, ARampHasItsSlopeAtEveryScale) {
 }
 
 TEST(Descriptor, TexelsOfOtherClassesWeighNothing) {
-  PrincipalVariation colors = one_class(Image<float>(32, 32, 2.0f));
+  PrincipalVariation colors = of_one_class(Image<float>(32, 32, 2.0f));
   colors.palette.classes.resize(2);
   for (int y = 0; y < 32; ++y)
     for (int x = 16; x < 32; ++x) {
@@ -49,7 +49,7 @@ TEST(Descriptor, TurningTheDescriptorTurnsThePicture) {
       for (int x = 0; x < 96; ++x)
         image(x, y) = static_cast<float>(
             std::sin(0.35 * ((x - middle.x) * std::cos(angle) + (y - middle.y) * std::sin(angle)) + 0.4));
-    return one_class(std::move(image));
+    return of_one_class(std::move(image));
   };
   const Descriptor straight = ClassGradients(centred(0.0), 0).at(middle);
   const Descriptor turned_picture = ClassGradients(centred(turn), 0).at(middle);

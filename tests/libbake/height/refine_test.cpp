@@ -11,18 +11,18 @@
 namespace texbake {
 namespace {
 
-constexpr int kSide = 32;
+constexpr int kRefinedSide = 32;
 
 Image<float> noise(uint64_t seed) {
   Random random(seed);
-  Image<float> image(kSide, kSide);
+  Image<float> image(kRefinedSide, kRefinedSide);
   for (float& value : image) value = random.uniform();
   return image;
 }
 
 Image<V3f> colors(uint64_t seed, float contrast) {
   Random random(seed);
-  Image<V3f> image(kSide, kSide);
+  Image<V3f> image(kRefinedSide, kRefinedSide);
   for (V3f& color : image) color = V3f(random.uniform(), random.uniform(), random.uniform()) * contrast;
   return image;
 }
@@ -42,7 +42,7 @@ TEST(Refine, StrengthZeroChangesNothing) {
 }
 
 TEST(Refine, AFlatHeightStaysFlat) {
-  for (const float h : refine(Image<float>(kSide, kSide, 0.7f), colors(3, 5), 16)) EXPECT_EQ(h, 0.7f);
+  for (const float h : refine(Image<float>(kRefinedSide, kRefinedSide, 0.7f), colors(3, 5), 16)) EXPECT_EQ(h, 0.7f);
 }
 
 TEST(Refine, TheMeanStays) {
@@ -61,10 +61,10 @@ TEST(Refine, NoSmallChangeMakesTheSumLess) {
   const Image<V3f> smooth = gaussian_blur(luv, 1.0, Wrap::repeat);
   const auto energy = [&](const Image<float>& h) {
     double sum = 0;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kRefinedSide; ++y)
+      for (int x = 0; x < kRefinedSide; ++x) {
         sum += std::pow(h(x, y) - propagated(x, y), 2.0);
-        for (const V2i& q : {V2i(wrap(x + 1, kSide), y), V2i(x, wrap(y + 1, kSide))})
+        for (const V2i& q : {V2i(wrap(x + 1, kRefinedSide), y), V2i(x, wrap(y + 1, kRefinedSide))})
           sum +=
               strength * std::exp(-(smooth(x, y) - smooth(q.x, q.y)).length()) * std::pow(h(x, y) - h(q.x, q.y), 2.0);
       }
@@ -83,17 +83,17 @@ TEST(Refine, NoSmallChangeMakesTheSumLess) {
 TEST(Refine, SmoothsAnEvenSurfaceAndKeepsTheEdgesOfItsColours) {
   // Two halves 40 ΔE apart, 0.2 and 0.8 high under noise of 0.2.
   Image<float> heights = noise(9);
-  Image<V3f> luv(kSide, kSide);
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x) {
+  Image<V3f> luv(kRefinedSide, kRefinedSide);
+  for (int y = 0; y < kRefinedSide; ++y)
+    for (int x = 0; x < kRefinedSide; ++x) {
       heights(x, y) = (x < 16 ? 0.2f : 0.8f) + 0.2f * (heights(x, y) - 0.5f);
       luv(x, y) = V3f(x < 16 ? 30.0f : 70.0f, 0, 0);
     }
   const Image<float> refined = refine(heights, luv, 64);
   EXPECT_LT(deviation(refined, 0, 16), 0.3 * deviation(heights, 0, 16));
   double step = 0;
-  for (int y = 0; y < kSide; ++y) step += refined(16, y) - refined(15, y);
-  EXPECT_NEAR(step / kSide, 0.6, 0.03);  // the edge shields its texels: 0.058 of noise, over 32 rows
+  for (int y = 0; y < kRefinedSide; ++y) step += refined(16, y) - refined(15, y);
+  EXPECT_NEAR(step / kRefinedSide, 0.6, 0.03);  // the edge shields its texels: 0.058 of noise, over 32 rows
 }
 
 }  // namespace

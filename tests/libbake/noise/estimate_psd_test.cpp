@@ -12,8 +12,8 @@ namespace texbake {
 namespace {
 
 /// Two coloured noises on a flat structure, each in half of the texels.
-struct Field {
-  explicit Field(int size)
+struct MaskedField {
+  explicit MaskedField(int size)
       : exemplar(size, size),
         structure(size, size, V3f(0.5f)),
         ring(synthetic_noise(ring_power, size, 0.004, 1)),
@@ -45,7 +45,7 @@ EstimatePsdOptions small() {
 }
 
 TEST(EstimatePsd, FindsSpectraAndColorsOfBothNoises) {
-  const Field field(256);
+  const MaskedField field(256);
   const NoiseModel model = estimate_psd(field.exemplar, field.structure, field.masks, small());
   ASSERT_EQ(model.noises.size(), 2u);
   EXPECT_GT(model.noises[0].basis.axis[0].dot(V3f(0.8f, 0.6f, 0)), 0.999f);
@@ -57,7 +57,7 @@ TEST(EstimatePsd, FindsSpectraAndColorsOfBothNoises) {
 }
 
 TEST(EstimatePsd, TilesHaveTheMeanVarianceAndSpectrumOfTheModel) {
-  const Field field(128);
+  const MaskedField field(128);
   const NoiseModel model = estimate_psd(field.exemplar, field.structure, field.masks, small());
   for (const Noise& noise : model.noises) {
     Image<float> channel(noise.tile.width(), noise.tile.height());
@@ -75,7 +75,7 @@ TEST(EstimatePsd, TilesHaveTheMeanVarianceAndSpectrumOfTheModel) {
 
 TEST(EstimatePsd, EqualisationKeepsVarianceAndGivesTheHistogram) {
   // A noise of two values only, as far from Gaussian as can be.
-  Field field(128);
+  MaskedField field(128);
   for (size_t i = 0; i < field.exemplar.size(); ++i)
     field.exemplar.data()[i] = V3f(0.5f) + V3f(field.ring.data()[i] > 0.0f ? 0.125f : -0.125f);
   EstimatePsdOptions options = small();
@@ -89,7 +89,7 @@ TEST(EstimatePsd, EqualisationKeepsVarianceAndGivesTheHistogram) {
 }
 
 TEST(EstimatePsd, AMaskWithoutNoiseGivesNone) {
-  Field field(64);
+  MaskedField field(64);
   for (int y = 0; y < 64; ++y)
     for (int x = 32; x < 64; ++x) field.exemplar(x, y) = field.structure(x, y);
   const NoiseModel model = estimate_psd(field.exemplar, field.structure, field.masks, small());
@@ -98,7 +98,7 @@ TEST(EstimatePsd, AMaskWithoutNoiseGivesNone) {
 }
 
 TEST(EstimatePsd, FallsBackToASmallerTableAndSaysSo) {
-  const Field field(64);
+  const MaskedField field(64);
   EstimatePsdOptions options = small();
   options.spectrum_size = 64;
   const NoiseModel model = estimate_psd(field.exemplar, field.structure, field.masks, options);
@@ -108,7 +108,7 @@ TEST(EstimatePsd, FallsBackToASmallerTableAndSaysSo) {
 }
 
 TEST(EstimatePsd, SynthesisFollowsTheMasks) {
-  const Field field(64);
+  const MaskedField field(64);
   const NoiseModel model = estimate_psd(field.exemplar, field.structure, field.masks, small());
   const Image<V3f> noise = synthesise_noise(model, field.masks);
   EXPECT_EQ(noise(3, 0), model.noises[0].tile(3, 0));
@@ -117,7 +117,7 @@ TEST(EstimatePsd, SynthesisFollowsTheMasks) {
 
 TEST(EstimatePsd, InTheRootItFindsWhatItFindsInLight) {
   // The square root of a square is exact, and so the two are one problem.
-  const Field field(64);
+  const MaskedField field(64);
   EstimatePsdOptions options = small();
   const NoiseModel in_light = estimate_psd(field.exemplar, field.structure, field.masks, options);
   options.space = NoiseSpace::root;
@@ -131,7 +131,7 @@ TEST(EstimatePsd, InTheRootItFindsWhatItFindsInLight) {
 }
 
 TEST(EstimatePsd, DoesNotDependOnThreads) {
-  const Field field(64);
+  const MaskedField field(64);
   EstimatePsdOptions options = small();
   options.core_share = 0.9f;
   const NoiseModel many = estimate_psd(field.exemplar, field.structure, field.masks, options);
@@ -145,7 +145,7 @@ TEST(EstimatePsd, DoesNotDependOnThreads) {
 }
 
 TEST(EstimatePsd, RefusesWhatDoesNotFit) {
-  Field field(64);
+  MaskedField field(64);
   EstimatePsdOptions options = small();
   options.spectrum_size = 48;
   EXPECT_THROW(estimate_psd(field.exemplar, field.structure, field.masks, options), Error);

@@ -26,7 +26,7 @@ Image<float> values_of(const std::string& text) {
   return v;
 }
 
-GrowthLimits limits(float threshold, int max_area_px, V2i max_extent, uint32_t seed = 1) {
+GrowthLimits growth_limits(float threshold, int max_area_px, V2i max_extent, uint32_t seed = 1) {
   return {threshold, max_area_px, max_extent, seed};
 }
 
@@ -34,8 +34,8 @@ TEST(Grow, EqualsItsSlowTwinOnRandomTiles) {
   for (uint32_t seed = 1; seed <= 60; ++seed) {
     const int width = 6 + static_cast<int>(seed % 9), height = 5 + static_cast<int>(seed * 7 % 11);
     const auto tile = random_tile(width, height, 1 + static_cast<int>(seed % 3), seed);
-    const auto given = limits(1.0f + static_cast<float>(seed % 4), 3 + static_cast<int>(seed % 20),
-                              V2i(std::max(1, width / 3), std::max(1, height / 3)), seed);
+    const auto given = growth_limits(1.0f + static_cast<float>(seed % 4), 3 + static_cast<int>(seed % 20),
+                                     V2i(std::max(1, width / 3), std::max(1, height / 3)), seed);
     const auto fast = grow(tile.index, tile.variation, given);
     const auto slow = slow::grow(tile.index, tile.variation, given);
     ASSERT_EQ(ascii(fast.idx), ascii(slow.idx)) << "seed " << seed;
@@ -45,7 +45,7 @@ TEST(Grow, EqualsItsSlowTwinOnRandomTiles) {
 
 TEST(Grow, EveryTexelIsInOneConnectedFragmentOfOneClass) {
   const auto tile = random_tile(40, 30, 3, 5);
-  const auto growth = grow(tile.index, tile.variation, limits(4, 60, V2i(10, 7)));
+  const auto growth = grow(tile.index, tile.variation, growth_limits(4, 60, V2i(10, 7)));
   EXPECT_EQ(count_shapes(growth.idx), growth.count());
   EXPECT_EQ(count_pieces(growth.idx), growth.count());
   std::map<uint32_t, uint8_t> class_of;
@@ -57,7 +57,7 @@ TEST(Grow, EveryTexelIsInOneConnectedFragmentOfOneClass) {
 
 TEST(Grow, NoFragmentIsLargerThanTheLimits) {
   const auto tile = random_tile(40, 30, 1, 6);
-  const auto growth = grow(tile.index, tile.variation, limits(100, 50, V2i(9, 6)));
+  const auto growth = grow(tile.index, tile.variation, growth_limits(100, 50, V2i(9, 6)));
   for (uint32_t f = 0; f < static_cast<uint32_t>(growth.count()); ++f) {
     const auto texels = slow::texels_of(growth.idx, f);
     EXPECT_LE(texels.size(), 50u);
@@ -68,7 +68,7 @@ TEST(Grow, NoFragmentIsLargerThanTheLimits) {
 TEST(Grow, NoFragmentClosesWhileABorderTexelOfItsClassIsWithinTheThreshold) {
   // With limits out of the way, what was free when a fragment closed is what later fragments took.
   const auto tile = random_tile(24, 24, 2, 9);
-  const auto growth = grow(tile.index, tile.variation, limits(2.5f, 10000, V2i(24, 24)));
+  const auto growth = grow(tile.index, tile.variation, growth_limits(2.5f, 10000, V2i(24, 24)));
   for (uint32_t f = 0; f < static_cast<uint32_t>(growth.count()); ++f) {
     const auto texels = slow::texels_of(growth.idx, f);
     const double mean = slow::mean_of(tile.variation, texels);
@@ -85,37 +85,37 @@ TEST(Grow, NoFragmentClosesWhileABorderTexelOfItsClassIsWithinTheThreshold) {
 TEST(Grow, AStepOfTheThresholdSeparatesAndALesserOneDoesNot) {
   const auto index = classes_of("00000000 00000000 00000000 00000000 00000000 00000000");
   const auto v = values_of("11111111 11133111 11133111 11111111 11111111 11111111");
-  EXPECT_EQ(grow(index, v, limits(2.0f, 100, V2i(8, 6))).count(), 2) << "|3 - 1| < 2 is false";
-  const auto one = grow(index, v, limits(2.5f, 100, V2i(8, 6)));
+  EXPECT_EQ(grow(index, v, growth_limits(2.0f, 100, V2i(8, 6))).count(), 2) << "|3 - 1| < 2 is false";
+  const auto one = grow(index, v, growth_limits(2.5f, 100, V2i(8, 6)));
   EXPECT_EQ(one.count(), 1) << "the mean lies between 1 and 3";
 }
 
 TEST(Grow, ClassesSeparateWhereVariationsAgree) {
   const auto index = classes_of("000000 011100 011100 000000");
-  const auto growth = grow(index, Image<float>(6, 4, 0.0f), limits(5, 100, V2i(6, 4)));
+  const auto growth = grow(index, Image<float>(6, 4, 0.0f), growth_limits(5, 100, V2i(6, 4)));
   const bool ring_first = growth.idx(0, 0) == 0;
   EXPECT_EQ(ascii(growth.idx), ring_first ? "000000 011100 011100 000000" : "111111 100011 100011 111111");
 }
 
 TEST(Grow, FeaturesCarryAcrossTheBorderOfTheTile) {
   const auto index = classes_of("110001 000000 000000 110001");
-  EXPECT_EQ(grow(index, Image<float>(6, 4, 0.0f), limits(5, 100, V2i(6, 4))).count(), 2);
+  EXPECT_EQ(grow(index, Image<float>(6, 4, 0.0f), growth_limits(5, 100, V2i(6, 4))).count(), 2);
 }
 
 TEST(Grow, ASlowRampIsFollowedByTheMeanAndCutWhereItIsLeftBehind) {
   // From any seed, the mean lags behind the ramp: a threshold of 2 cannot hold 0 and 9 together.
   const auto index = classes_of("0000000000 0000000000 0000000000");
   const auto v = values_of("0123456789 0123456789 0123456789");
-  const auto growth = grow(index, v, limits(2, 100, V2i(10, 3)));
+  const auto growth = grow(index, v, growth_limits(2, 100, V2i(10, 3)));
   EXPECT_GE(growth.count(), 3);
   EXPECT_LE(growth.count(), 6);
 }
 
 TEST(Grow, AnotherSeedGivesAnotherMapAndTheSameSeedTheSame) {
   const auto tile = random_tile(32, 32, 3, 2);
-  const auto a = grow(tile.index, tile.variation, limits(2, 40, V2i(8, 8), 1));
-  EXPECT_EQ(a.idx, grow(tile.index, tile.variation, limits(2, 40, V2i(8, 8), 1)).idx);
-  EXPECT_NE(a.idx, grow(tile.index, tile.variation, limits(2, 40, V2i(8, 8), 2)).idx);
+  const auto a = grow(tile.index, tile.variation, growth_limits(2, 40, V2i(8, 8), 1));
+  EXPECT_EQ(a.idx, grow(tile.index, tile.variation, growth_limits(2, 40, V2i(8, 8), 1)).idx);
+  EXPECT_NE(a.idx, grow(tile.index, tile.variation, growth_limits(2, 40, V2i(8, 8), 2)).idx);
 }
 
 }  // namespace
