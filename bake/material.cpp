@@ -19,7 +19,7 @@ void check_names(const std::vector<MaterialFile>& maps) {
 }
 
 Picture read_noted(const MaterialFile& file, InputSpace space, PictureRole role, Listener& listener) {
-  Picture picture = read_picture(file.file, space, role);
+  Picture picture = read_picture({.path = file.file, .space = space, .role = role});
   if (!file.sha256.empty() && picture.sha256 != file.sha256)
     throw Error(ErrorKind::bad_data, fmt::format("{}: expected the file with SHA-256 {}, found {}; remove \"sha256\" "
                                                  "from the recipe to bake another picture",

@@ -37,7 +37,7 @@ Image<V3f> values_of(const Picture& picture, int channels) {
 }  // namespace
 
 CapturedFrame read_frame(const std::string& path, PictureRole role, int channels) {
-  const Picture picture = read_picture(path, InputSpace::automatic, role, PictureValues::kept);
+  const Picture picture = read_picture({.path = path, .role = role, .values = PictureValues::kept});
   return {values_of(picture, channels), scale_of(path, picture, role), picture.notes};
 }
 

@@ -127,15 +127,17 @@ InputCurve choose_curve(const OIIO::ImageSpec& spec, InputSpace space, PictureRo
   return spec.format.is_floating_point() ? InputCurve::linear() : InputCurve::srgb();
 }
 
-OpenPicture open_picture(const std::string& path, InputSpace space, PictureRole role, PictureValues values) {
+OpenPicture open_picture(const PictureRequest& request) {
+  const std::string& path = request.path;
+  const PictureRole role = request.role;
   OpenPicture open;
   open.path = path;
   open.input = open_input(path);
   open.spec = open.input->spec();
   check_size(path, open.spec);
   open.channels = choose_channels(path, open.spec, role);
-  if (values == PictureValues::kept) open.channels.premultiplied = false;
-  open.curve = choose_curve(open.spec, space, role);
+  if (request.values == PictureValues::kept) open.channels.premultiplied = false;
+  open.curve = choose_curve(open.spec, request.space, role);
   open.orientation = open.spec.get_int_attribute("Orientation", 1);
   if (open.orientation < 1 || open.orientation > 8) open.orientation = 1;
   if (role == PictureRole::normal && open.orientation != 1)
@@ -304,10 +306,12 @@ void note_what_was_ignored(OpenPicture& open, size_t transparent, PictureRole ro
 
 }  // namespace
 
-Picture read_picture(const std::string& path, InputSpace space, PictureRole role, PictureValues values) {
+Picture read_picture(const PictureRequest& request) {
+  const std::string& path = request.path;
+  const PictureRole role = request.role;
   check_input_file(path);
   if (const auto damage = find_png_damage(path)) throw_damaged(path, *damage);
-  OpenPicture open = open_picture(path, space, role, values);
+  OpenPicture open = open_picture(request);
   const OIIO::ImageSpec& spec = open.spec;
 
   Picture picture;
@@ -321,7 +325,7 @@ Picture read_picture(const std::string& path, InputSpace space, PictureRole role
 
   const size_t transparent = read_planes(open, role, picture);
   picture.alpha_dropped = open.channels.alpha >= 0;
-  if (values == PictureValues::checked) {
+  if (request.values == PictureValues::checked) {
     check_finite(path, views(picture));
     if (role == PictureRole::color) finish_color(path, picture);
     if (role == PictureRole::data) finish_data(path, picture);

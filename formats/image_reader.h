@@ -39,6 +39,15 @@ enum class PictureValues {
   kept,     ///< a frame to compare: only decoded; no value and no number of channels is changed, alpha divides nothing
 };
 
+/// Which picture is read, and as what.
+struct PictureRequest {
+  std::string path;
+  InputSpace space = InputSpace::automatic;  ///< counts for PictureRole::color alone
+  PictureRole role = PictureRole::color;
+  PictureValues values = PictureValues::checked;
+  std::string layer = {};  ///< of a file that names its layers; "": the file's own choice
+};
+
 struct Picture {
   int channels = 0;        ///< 1 or 3
   Image<float> planes[3];  ///< `channels` of them, all of the same size
@@ -55,7 +64,7 @@ struct Picture {
   int height() const { return planes[0].height(); }
 };
 
-/// Reads the first picture of the file at `path`, upright: the EXIF orientation is applied.
+/// Reads the first picture of the file at `request.path`, upright: the EXIF orientation is applied.
 ///
 /// Integers of b bits are divided by 2^b − 1; normal maps follow formats/srgb_codes.h. A float normal map that holds
 /// negative components is taken as vectors already, else as 0 … 1. `space` counts for PictureRole::color alone.
@@ -66,8 +75,7 @@ struct Picture {
 /// Throws Error(io) when the file cannot be opened; Error(unsupported) for deep or volume pictures and turned normal
 /// maps; Error(bad_data) for what is not a picture, is cut off or damaged, is larger than kMaxPictureSide, has a number
 /// of channels that does not suit `role`, or holds NaN, infinity or colours above 65504 (their count and first texel).
-Picture read_picture(const std::string& path, InputSpace space, PictureRole role,
-                     PictureValues values = PictureValues::checked);
+Picture read_picture(const PictureRequest& request);
 
 /// Three planes as one image. All have the same size.
 Image<V3f> interleave(const Image<float> (&planes)[3]);

@@ -27,7 +27,7 @@ struct Photograph {
 Image<V3f> read(const std::string& name, PictureRole role) {
   const char* folder = std::getenv("TEXBAKE_TEXTURES");
   if (!folder) throw Error(ErrorKind::usage, "set TEXBAKE_TEXTURES to the folder of the photographs");
-  const Picture picture = read_picture(std::string(folder) + "/" + name, InputSpace::automatic, role);
+  const Picture picture = read_picture({.path = std::string(folder) + "/" + name, .role = role});
   const Image<float>* planes = picture.planes;
   const bool grey = picture.channels == 1;
   const Image<V3f> image = interleave({planes[0].clone(), planes[grey ? 0 : 1].clone(), planes[grey ? 0 : 2].clone()});

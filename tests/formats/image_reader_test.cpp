@@ -23,13 +23,13 @@ using ::testing::IsEmpty;
 constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 
 Refusal reading_refusal(const std::string& path, PictureRole role = PictureRole::color) {
-  return refusal([&] { read_picture(path, InputSpace::automatic, role); });
+  return refusal([&] { read_picture({.path = path, .role = role}); });
 }
 
 std::vector<float> row_values(const Image<float>& plane, int y) { return {plane.row(y), plane.row(y) + plane.width()}; }
 
 Picture read_color(const std::string& path, InputSpace space = InputSpace::automatic) {
-  return read_picture(path, space, PictureRole::color);
+  return read_picture({.path = path, .space = space, .role = PictureRole::color});
 }
 
 OIIO::ImageSpec spec_of(int width, int height, int channels, OIIO::TypeDesc type) {
@@ -125,7 +125,7 @@ TEST_F(ImageReader, GreyIsPromotedForColourAndKeptForData) {
   const Picture color = read_color(folder_ / "a.png");
   ASSERT_EQ(color.channels, 3);
   for (const Image<float>& plane : color.planes) EXPECT_EQ(plane(0, 0), linear_from_srgb(0.2f));
-  const Picture data = read_picture(folder_ / "a.png", InputSpace::srgb, PictureRole::data);
+  const Picture data = read_picture({.path = folder_ / "a.png", .space = InputSpace::srgb, .role = PictureRole::data});
   ASSERT_EQ(data.channels, 1);
   EXPECT_EQ(data.planes[0](0, 0), 0.2f);
   EXPECT_EQ(data.space, "linear");
@@ -134,25 +134,25 @@ TEST_F(ImageReader, GreyIsPromotedForColourAndKeptForData) {
 TEST_F(ImageReader, DataOfThreeEqualChannelsIsOneChannel) {
   save_picture(folder_ / "a.png", spec_of(2, 1, 3, OIIO::TypeDesc::UINT8), std::vector<uint8_t>{9, 9, 9, 51, 51, 51});
   save_picture(folder_ / "b.png", spec_of(2, 1, 3, OIIO::TypeDesc::UINT8), std::vector<uint8_t>{9, 9, 9, 51, 51, 52});
-  const Picture one = read_picture(folder_ / "a.png", InputSpace::automatic, PictureRole::data);
+  const Picture one = read_picture({.path = folder_ / "a.png", .role = PictureRole::data});
   EXPECT_EQ(one.channels, 1);
   EXPECT_EQ(one.planes[0](1, 0), 0.2f);
   EXPECT_THAT(one.notes, ElementsAre(HasSubstr("three channels are equal")));
-  EXPECT_EQ(read_picture(folder_ / "b.png", InputSpace::automatic, PictureRole::data).channels, 3);
+  EXPECT_EQ(read_picture({.path = folder_ / "b.png", .role = PictureRole::data}).channels, 3);
 }
 
 TEST_F(ImageReader, FlatIntegerNormalIsExactlyUp) {
   save_picture(folder_ / "a.png", spec_of(2, 1, 3, OIIO::TypeDesc::UINT8),
                std::vector<uint8_t>{128, 128, 255, 0, 1, 2});
   save_picture(folder_ / "b.png", spec_of(1, 1, 3, OIIO::TypeDesc::UINT16), std::vector<uint16_t>{32768, 0, 65535});
-  const Picture eight = read_picture(folder_ / "a.png", InputSpace::automatic, PictureRole::normal);
+  const Picture eight = read_picture({.path = folder_ / "a.png", .role = PictureRole::normal});
   EXPECT_EQ(eight.planes[0](0, 0), 0.0f);
   EXPECT_EQ(eight.planes[1](0, 0), 0.0f);
   EXPECT_EQ(eight.planes[2](0, 0), 1.0f);
   EXPECT_EQ(eight.planes[0](1, 0), -1.0f);
   EXPECT_EQ(eight.planes[1](1, 0), -1.0f);
   EXPECT_EQ(eight.planes[2](1, 0), -126 / 127.0f);
-  const Picture sixteen = read_picture(folder_ / "b.png", InputSpace::automatic, PictureRole::normal);
+  const Picture sixteen = read_picture({.path = folder_ / "b.png", .role = PictureRole::normal});
   EXPECT_EQ(sixteen.planes[0](0, 0), 0.0f);
   EXPECT_EQ(sixteen.planes[1](0, 0), -1.0f);
   EXPECT_EQ(sixteen.planes[2](0, 0), 1.0f);
@@ -161,10 +161,10 @@ TEST_F(ImageReader, FlatIntegerNormalIsExactlyUp) {
 TEST_F(ImageReader, FloatNormalsAreVectorsWhereOneIsNegativeElseUnit) {
   save_picture(folder_ / "v.exr", spec_of(1, 1, 3, OIIO::TypeDesc::FLOAT), std::vector<float>{-0.5f, 0.25f, 1.0f});
   save_picture(folder_ / "u.exr", spec_of(1, 1, 3, OIIO::TypeDesc::FLOAT), std::vector<float>{0.5f, 0.25f, 1.0f});
-  const Picture vectors = read_picture(folder_ / "v.exr", InputSpace::automatic, PictureRole::normal);
+  const Picture vectors = read_picture({.path = folder_ / "v.exr", .role = PictureRole::normal});
   EXPECT_EQ(vectors.planes[0](0, 0), -0.5f);
   EXPECT_EQ(vectors.planes[1](0, 0), 0.25f);
-  const Picture units = read_picture(folder_ / "u.exr", InputSpace::automatic, PictureRole::normal);
+  const Picture units = read_picture({.path = folder_ / "u.exr", .role = PictureRole::normal});
   EXPECT_EQ(units.planes[0](0, 0), 0.0f);
   EXPECT_EQ(units.planes[1](0, 0), -0.5f);
   EXPECT_THAT(units.notes, ElementsAre(HasSubstr("0 to 1")));
@@ -198,7 +198,7 @@ TEST_F(ImageReader, GreyWithAlphaIsGrey) {
   PngParts parts{.width = 2, .height = 1, .bit_depth = 8, .color_type = 4};
   parts.rows = {"\x33\xff\xff\xff"};
   write_bytes(folder_ / "a.png", png_bytes(parts));
-  const Picture picture = read_picture(folder_ / "a.png", InputSpace::automatic, PictureRole::data);
+  const Picture picture = read_picture({.path = folder_ / "a.png", .role = PictureRole::data});
   EXPECT_EQ(picture.channels, 1);
   EXPECT_THAT(row_values(picture.planes[0], 0), ElementsAre(0.2f, 1.0f));
 }
@@ -223,11 +223,11 @@ TEST_F(ImageReader, FewBitsOfGreySpanZeroToOne) {
     PngParts parts{.width = 2, .height = 1, .bit_depth = static_cast<uint8_t>(depth), .color_type = 0};
     parts.rows = {std::string(1, static_cast<char>(((1 << depth) - 1) << (8 - depth)))};  // highest, lowest
     write_bytes(folder_ / "g.png", png_bytes(parts));
-    const Picture picture = read_picture(folder_ / "g.png", InputSpace::automatic, PictureRole::data);
+    const Picture picture = read_picture({.path = folder_ / "g.png", .role = PictureRole::data});
     EXPECT_THAT(row_values(picture.planes[0], 0), ElementsAre(1.0f, 0.0f)) << depth;
   }
   write_bytes(folder_ / "b.pbm", "P1\n2 1\n1 0\n");  // 1 is black
-  EXPECT_THAT(row_values(read_picture(folder_ / "b.pbm", InputSpace::automatic, PictureRole::data).planes[0], 0),
+  EXPECT_THAT(row_values(read_picture({.path = folder_ / "b.pbm", .role = PictureRole::data}).planes[0], 0),
               ElementsAre(0.0f, 1.0f));
 }
 
@@ -249,7 +249,7 @@ TEST_F(ImageReader, EveryExifOrientationBecomesUpright) {
     OIIO::ImageSpec spec = spec_of(3, 2, 1, OIIO::TypeDesc::UINT8);
     spec.attribute("Orientation", orientation);
     save_picture(folder_ / "o.tif", spec, std::vector<uint8_t>{10, 20, 30, 40, 50, 60});
-    const Picture picture = read_picture(folder_ / "o.tif", InputSpace::automatic, PictureRole::data);
+    const Picture picture = read_picture({.path = folder_ / "o.tif", .role = PictureRole::data});
     ASSERT_EQ(picture.height(), static_cast<int>(upright[orientation].size()));
     for (int y = 0; y < picture.height(); ++y)
       for (int x = 0; x < picture.width(); ++x)

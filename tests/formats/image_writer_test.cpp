@@ -27,7 +27,7 @@ Image<V3f> ramp(int width, int height) {
 }
 
 Image<V3f> read_back(const std::string& path, PictureRole role = PictureRole::color) {
-  return interleave(read_picture(path, InputSpace::automatic, role).planes);
+  return interleave(read_picture({.path = path, .role = role}).planes);
 }
 
 float largest_difference(const Image<V3f>& a, const Image<V3f>& b) {
@@ -84,11 +84,11 @@ TEST_F(ImageWriter, DataHasNoCurve) {
   image(1, 0) = 0.2f;
   image(2, 0) = 1;
   write_picture(folder_ / "a.png", image, PictureRole::data);
-  const Picture eight = read_picture(folder_ / "a.png", InputSpace::automatic, PictureRole::data);
+  const Picture eight = read_picture({.path = folder_ / "a.png", .role = PictureRole::data});
   EXPECT_EQ(eight.planes[0], image);
   EXPECT_EQ(eight.channels, 1);
   write_picture(folder_ / "a.exr", image, PictureRole::data, SampleType::float32);
-  EXPECT_EQ(read_picture(folder_ / "a.exr", InputSpace::automatic, PictureRole::data).planes[0], image);
+  EXPECT_EQ(read_picture({.path = folder_ / "a.exr", .role = PictureRole::data}).planes[0], image);
 }
 
 TEST_F(ImageWriter, NormalsComeBackAndUpIsExact) {

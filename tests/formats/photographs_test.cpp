@@ -28,10 +28,10 @@ class Photographs : public ::testing::Test {
     if (folder_.empty()) GTEST_SKIP() << "no photographs: set TEXBAKE_TEXTURES to their folder";
   }
   Image<V3f> exemplar(const char* name) const {
-    return interleave(read_picture((folder_ / name).string(), InputSpace::automatic, PictureRole::color).planes);
+    return interleave(read_picture({.path = (folder_ / name).string(), .role = PictureRole::color}).planes);
   }
   Image<float> height(const char* name) const {
-    return std::move(read_picture((folder_ / name).string(), InputSpace::automatic, PictureRole::data).planes[0]);
+    return std::move(read_picture({.path = (folder_ / name).string(), .role = PictureRole::data}).planes[0]);
   }
   fs::path folder_ = texture_folder();
 };
