@@ -10,14 +10,14 @@
 namespace texbake {
 namespace {
 
-struct Request {
+struct BakeFlags {
   std::string input;
   std::string output;
   bool if_changed = false;
   BakeRequest bake;
 };
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const BakeFlags& request, Console& console) {
   const std::string path = request.output.empty() ? default_bundle_path(request.input) : request.output;
   check_request(request.bake);
   check_bundle_target(path);
@@ -35,7 +35,7 @@ std::string title_of(const StageRow& row) {
   return "Options of " + row.verb + (row.use == StageUse::layers ? " (with --layers structure+noise)" : "");
 }
 
-void take_input(Request& request, const std::string& input) {
+void take_input(BakeFlags& request, const std::string& input) {
   request.input = input;
   if (is_recipe(input))
     request.bake = read_recipe(input);
@@ -43,8 +43,8 @@ void take_input(Request& request, const std::string& input) {
     request.bake.convert.files.color.file = input;
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_bake(Arguments& arguments) {
+  const auto request = std::make_shared<BakeFlags>();
   // Declared first, so that flags that follow change what the recipe says.
   arguments.positional({.name = "INPUT",
                         .names = Names::file,
@@ -72,7 +72,7 @@ Command bake_command() {
           "  texbake bake rock.png --map normal=rock_normal.png --patch-count 12\n"
           "  texbake bake moss.png --layers structure+noise --decompose-noises 2\n"
           "  texbake bake rock.json -o rock.texbundle --if-changed",
-          declare};
+          declare_bake};
 }
 
 }  // namespace texbake

@@ -4,6 +4,8 @@
 
 namespace texbake {
 
+const char* program_version() { return TEXBAKE_VERSION; }
+
 CommandLine::CommandLine() {
   program_.flag({.name = "version", .help = "print the version and exit", .assign = {}});
   common_.flag(

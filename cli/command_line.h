@@ -9,7 +9,13 @@
 
 namespace texbake {
 
+/// "0.2.0"
+const char* program_version();
+
+inline constexpr const char* kProgramBrief = "bakes a photograph into an endless, non-repeating texture";
 inline constexpr const char* kProgramSummary = "texbake bakes a photograph into an endless, non-repeating texture.";
+inline constexpr const char* kHelpSummary =
+    "show the help of a verb: texbake help VERB, the same as texbake VERB --help";
 inline constexpr const char* kProgramExample =
     "  texbake bake leaves.jpg -o leaves.texbundle\n"
     "  texbake render leaves.texbundle -o leaves.png --size 4096x4096";

@@ -10,13 +10,13 @@
 namespace texbake {
 namespace {
 
-struct Request {
+struct ConvertFlags {
   ConvertRequest convert;
   std::string output;
   std::string sheet;
 };
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const ConvertFlags& request, Console& console) {
   const std::string path =
       request.output.empty() ? default_bundle_path(request.convert.files.color.file) : request.output;
   check_bundle_target(path);
@@ -30,8 +30,8 @@ Outcome run(const Request& request, Console& console) {
   return written_bundle(path, bundle.stages);
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_convert(Arguments& arguments) {
+  const auto request = std::make_shared<ConvertFlags>();
   arguments.positional({.name = "PICTURE",
                         .names = Names::file,
                         .help = "the exemplar: any picture format that OpenImageIO reads",
@@ -49,7 +49,7 @@ Command convert_command() {
           "  texbake convert leaves.jpg -o leaves.texbundle\n"
           "  texbake convert rock.png --map normal=rock_normal.png --map height=rock_height.png\n"
           "  texbake convert wall.jpg --flatten 128 --sheet classes.png",
-          declare};
+          declare_convert};
 }
 
 }  // namespace texbake

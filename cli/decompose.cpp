@@ -6,13 +6,13 @@
 namespace texbake {
 namespace {
 
-struct Request {
+struct DecomposeFlags {
   BundlePaths paths;
   DecomposeOptions options;
   std::string sheet;
 };
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const DecomposeFlags& request, Console& console) {
   check_options(request.options);
   if (!request.sheet.empty()) {
     check_picture_name(request.sheet);
@@ -22,8 +22,8 @@ Outcome run(const Request& request, Console& console) {
                        [&](Bundle& bundle) { run_decompose(bundle, request.options, request.sheet, console); });
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_decompose(Arguments& arguments) {
+  const auto request = std::make_shared<DecomposeFlags>();
   add_bundle_paths(arguments, request->paths);
   add_flags(arguments, request->options, "Options");
   arguments.option({.name = "sheet",
@@ -41,7 +41,7 @@ Command decompose_command() {
   return {"decompose", "bundle → bundle: separate structure from noise, and find where each noise occurs",
           "  texbake decompose rock.texbundle --noises 2\n"
           "  texbake decompose rock.texbundle --local-size auto --sheet choice.png",
-          declare};
+          declare_decompose};
 }
 
 }  // namespace texbake

@@ -20,6 +20,11 @@ enum class ExitCode {
   terminated = 143,
 };
 
+inline constexpr ExitCode kExitCodes[] = {ExitCode::done,        ExitCode::no,        ExitCode::usage,
+                                          ExitCode::bad_data,    ExitCode::io,        ExitCode::unsupported,
+                                          ExitCode::infeasible,  ExitCode::limit,     ExitCode::internal,
+                                          ExitCode::interrupted, ExitCode::terminated};
+
 inline ExitCode exit_code_of(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::usage:
@@ -65,6 +70,37 @@ inline const char* exit_name(ExitCode code) {
       return "terminated";
   }
   return "internal";
+}
+
+/// What an exit code means, for the manual page.
+inline const char* exit_meaning(ExitCode code) {
+  switch (code) {
+    case ExitCode::done:
+      return "done";
+    case ExitCode::no:
+      return "the question was answered no: verify found the bundle invalid or different, or report judged it as "
+             "--fail-on "
+             "says";
+    case ExitCode::usage:
+      return "an unknown verb, option or value";
+    case ExitCode::bad_data:
+      return "an input was read but does not hold what it must";
+    case ExitCode::io:
+      return "an input cannot be read, or an output cannot be written";
+    case ExitCode::unsupported:
+      return "a version or a feature that this program does not know";
+    case ExitCode::infeasible:
+      return "the algorithm cannot satisfy the request";
+    case ExitCode::limit:
+      return "a limit that was set, such as --max-memory, was reached";
+    case ExitCode::internal:
+      return "an internal error; please report it with the command line and the input";
+    case ExitCode::interrupted:
+      return "interrupted (SIGINT); temporary files were removed";
+    case ExitCode::terminated:
+      return "terminated (SIGTERM); temporary files were removed";
+  }
+  return "";
 }
 
 }  // namespace texbake

@@ -28,14 +28,14 @@ struct ExportOptions {
   }
 };
 
-struct Request {
+struct ExportFlags {
   std::string bundle;
   std::string output;
   bool web = false;
   ExportOptions options;
 };
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const ExportFlags& request, Console& console) {
   if (!request.web)
     throw Error(ErrorKind::usage, "expected a target to export to: --web makes a folder that a browser opens");
   check_options(request.options);
@@ -48,8 +48,8 @@ Outcome run(const Request& request, Console& console) {
   return {.text = page + "\n", .result = {{"output", folder}, {"page", page}}};
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_export(Arguments& arguments) {
+  const auto request = std::make_shared<ExportFlags>();
   add_bundle_path(arguments, request->bundle);
   arguments.option({.name = "output",
                     .letter = 'o',
@@ -71,7 +71,7 @@ Command export_command() {
   return {"export", "bundle → web page: write a self-contained folder that shows the endless texture in a browser",
           "  texbake export leaves.texbundle --web -o leaves_web\n"
           "  texbake export rock.texbundle --web --relief 24",
-          declare};
+          declare_export};
 }
 
 }  // namespace texbake

@@ -6,7 +6,7 @@
 namespace texbake {
 namespace {
 
-Sheet sheet(const Bundle& bundle, const FragmentOptions& options, const Progress& progress) {
+Sheet draw_fragments(const Bundle& bundle, const FragmentOptions& options, const Progress& progress) {
   const Scale& scale = bundle.scales.front();
   return fragment_sheet(*scale.colors, scale.base(), options, progress);
 }
@@ -18,7 +18,7 @@ Command fragment_command() {
                                         "bundle → bundle: divide the tile into small regions of one color class",
                                         "  texbake fragment leaves.texbundle --threshold 20\n"
                                         "  texbake fragment leaves.texbundle --sheet fragments.png",
-                                        run_fragment, sheet);
+                                        run_fragment, draw_fragments);
 }
 
 }  // namespace texbake

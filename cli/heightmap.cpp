@@ -25,7 +25,7 @@ struct PreviewOptions {
   }
 };
 
-struct Request {
+struct HeightmapFlags {
   BundlePaths paths;
   std::string clicks;
   bool in_source = false;
@@ -33,7 +33,7 @@ struct Request {
   PreviewOptions preview;
 };
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const HeightmapFlags& request, Console& console) {
   check_options(request.options);
   check_options(request.preview);
   const PreviewOptions& preview = request.preview;
@@ -55,8 +55,8 @@ Outcome run(const Request& request, Console& console) {
   return outcome;
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_heightmap(Arguments& arguments) {
+  const auto request = std::make_shared<HeightmapFlags>();
   add_bundle_path(arguments, request->paths.input);
   arguments.positional(
       {.name = "CLICKS",
@@ -79,7 +79,7 @@ Command heightmap_command() {
   return {"heightmap", "bundle, a few heights → bundle: propagate clicks to a height map, by features that look alike",
           "  texbake heightmap bricks.texbundle clicks.json --preview bricks_lit.png\n"
           "  texbake heightmap bricks.texbundle strokes.png -o relief.texbundle",
-          declare};
+          declare_heightmap};
 }
 
 }  // namespace texbake

@@ -119,7 +119,7 @@ std::string help_text(const CommandLine& line, int width) {
   writer.paragraph("Usage: texbake VERB [OPTIONS] ...");
   writer.heading("Verbs");
   for (const Verb& verb : line.verbs()) writer.entry(verb.name(), verb.command.summary);
-  writer.entry("help", "show the help of a verb: texbake help VERB, the same as texbake VERB --help");
+  writer.entry("help", kHelpSummary);
   writer.arguments(line.program());
   writer.arguments(line.common());
   writer.examples(kProgramExample);

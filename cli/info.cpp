@@ -10,12 +10,12 @@
 namespace texbake {
 namespace {
 
-struct Request {
+struct InfoFlags {
   std::string bundle;
   bool recipe = false;
 };
 
-Outcome run(const Request& request, Console&) {
+Outcome run(const InfoFlags& request, Console&) {
   const Bundle bundle = read_bundle(request.bundle, {.semantics = Semantics::any});
   Outcome outcome;
   if (request.recipe) {
@@ -28,8 +28,8 @@ Outcome run(const Request& request, Console&) {
   return outcome;
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_info(Arguments& arguments) {
+  const auto request = std::make_shared<InfoFlags>();
   add_bundle_path(arguments, request->bundle);
   arguments.flag({.name = "recipe",
                   .help = "write a recipe from which bake makes the same bundle",
@@ -43,7 +43,7 @@ Command info_command() {
   return {"info", "bundle → text, JSON or recipe: list every field with its shape and unit",
           "  texbake info leaves.texbundle\n"
           "  texbake info leaves.texbundle --recipe > leaves.json",
-          declare};
+          declare_info};
 }
 
 }  // namespace texbake

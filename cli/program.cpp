@@ -8,15 +8,13 @@
 #include <system_error>
 
 #include "cli/help.h"
-#include "cli/limits.h"
 #include "cli/parser.h"
+#include "cli/resource_limits.h"
 #include "cli/signals.h"
 #include "formats/safe_file.h"
 
 namespace texbake {
 namespace {
-
-constexpr const char* kVersion = TEXBAKE_VERSION;
 
 /// How a run ended, for stdout and stderr.
 struct Ending {
@@ -29,7 +27,7 @@ bool asks_for_json(const std::vector<std::string>& words) { return std::ranges::
 
 Json envelope(const std::string& verb, const Ending& ending, const std::vector<std::string>& warnings) {
   Json json;
-  json["texbake"] = kVersion;
+  json["texbake"] = program_version();
   json["verb"] = verb;
   json["status"] = exit_name(ending.code);
   json["exitCode"] = static_cast<int>(ending.code);
@@ -87,7 +85,7 @@ int finish(const std::string& verb, const Ending& ending, bool json, Console& co
 
 /// The help or the version.
 std::string answer(const CommandLine& line, const Asked& asked) {
-  if (asked.what == Asked::For::version) return fmt::format("texbake {}\n", kVersion);
+  if (asked.what == Asked::For::version) return fmt::format("texbake {}\n", program_version());
   return asked.verb ? help_text(line, *asked.verb, help_width()) : help_text(line, help_width());
 }
 

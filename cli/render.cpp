@@ -62,7 +62,7 @@ struct DeformOptions {
   }
 };
 
-struct Request {
+struct RenderFlags {
   std::string bundle;
   std::string output;
   std::optional<std::string> map;
@@ -107,7 +107,7 @@ void stream(const std::string& path, const PictureFormat& format, const DrawRows
 }
 
 /// What the options ask for, of a bundle whose finest scale has this size.
-DrawRequest draw_request_of(const Request& request, V2i tile_size) {
+DrawRequest draw_request_of(const RenderFlags& request, V2i tile_size) {
   const PixelSize size = parse_size("size", request.options.size);
   DrawRequest picture;
   if (request.view.view == View::plane) {
@@ -125,7 +125,7 @@ DrawRequest draw_request_of(const Request& request, V2i tile_size) {
 }
 
 /// Everything that can be said without the bundle. A deformation of a plane is no part of a DrawRequest.
-void check(const Request& request, const std::string& path) {
+void check(const RenderFlags& request, const std::string& path) {
   check_options(request.options);
   check_options(request.window);
   check_options(request.deform);
@@ -144,7 +144,7 @@ void check(const Request& request, const std::string& path) {
   check_file_target(path);
 }
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const RenderFlags& request, Console& console) {
   const std::string path = request.output.empty() ? default_picture_path(request.bundle, ".png") : request.output;
   check(request, path);
   console.step("read");
@@ -159,8 +159,8 @@ Outcome run(const Request& request, Console& console) {
   return {.text = path + "\n", .result = {{"output", path}}};
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_render(Arguments& arguments) {
+  const auto request = std::make_shared<RenderFlags>();
   add_bundle_path(arguments, request->bundle);
   arguments.option({.name = "output",
                     .letter = 'o',
@@ -196,7 +196,7 @@ Command render_command() {
           "  texbake render leaves.texbundle -o floor.png --size 1200x800 --view plane --camera-height 600 --pitch 15\n"
           "  texbake render rock.texbundle -o rock.png --relief 24 --view-direction 1,0,1 --light -1,-1,1\n"
           "  texbake render leaves.texbundle -o leaves.exr --bits float --backend gl",
-          declare};
+          declare_render};
 }
 
 }  // namespace texbake

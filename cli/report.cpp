@@ -42,7 +42,7 @@ struct JudgeOptions {
   }
 };
 
-struct Request {
+struct ReportFlags {
   std::string bundle;
   std::string output;
   ReportOptions options;
@@ -120,7 +120,7 @@ ReportInput report_input(const Bundle& bundle) {
   return input;
 }
 
-void write_page(const Report& report, const Request& request, const Bundle& bundle) {
+void write_page(const Report& report, const ReportFlags& request, const Bundle& bundle) {
   const auto& colors = bundle.scales.back().colors;
   const std::string name = std::filesystem::path(request.bundle).filename().string();
   SafeFile file(request.output);
@@ -133,7 +133,7 @@ ExitCode exit_code_of(const Report& report, FailOn fail_on) {
   return fail_on != FailOn::never && report.verdict >= least ? ExitCode::no : ExitCode::done;
 }
 
-std::string text_of(const Report& report, const Request& request) {
+std::string text_of(const Report& report, const ReportFlags& request) {
   std::string text;
   for (const Judgement& judgement : report.judgements) {
     const MeasureKind& kind = kind_of(judgement.measure);
@@ -152,7 +152,7 @@ std::string text_of(const Report& report, const Request& request) {
   return text;
 }
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const ReportFlags& request, Console& console) {
   check_options(request.options);
   if (!request.output.empty()) check_file_target(request.output);
   console.step("read");
@@ -167,8 +167,8 @@ Outcome run(const Request& request, Console& console) {
           report_json(result, request.bundle, request.output)};
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_report(Arguments& arguments) {
+  const auto request = std::make_shared<ReportFlags>();
   add_bundle_path(arguments, request->bundle);
   arguments.option({.name = "output",
                     .letter = 'o',
@@ -192,7 +192,7 @@ Command report_command() {
   return {"report", "bundle → numbers and page: measure how good it is, beside periodic, Wang and hex tiling",
           "  texbake report leaves.texbundle -o leaves.html\n"
           "  texbake report leaves.texbundle --quick --fail-on warn --json",
-          declare};
+          declare_report};
 }
 
 }  // namespace texbake

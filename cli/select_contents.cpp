@@ -6,7 +6,7 @@
 namespace texbake {
 namespace {
 
-Sheet sheet(const Bundle& bundle, const SelectContentsOptions& options, const Progress& progress) {
+Sheet draw_contents(const Bundle& bundle, const SelectContentsOptions& options, const Progress& progress) {
   const Scale& scale = bundle.scales.front();
   return select_contents_sheet(*scale.colors, scale.base(), *scale.patches, options, progress);
 }
@@ -18,7 +18,7 @@ Command select_contents_command() {
                                               "  texbake select-contents leaves.texbundle --count 8\n"
                                               "  texbake select-contents bricks.texbundle --lattice auto\n"
                                               "  texbake select-contents leaves.texbundle --sheet contents.png",
-                                              run_select_contents, sheet);
+                                              run_select_contents, draw_contents);
 }
 
 }  // namespace texbake

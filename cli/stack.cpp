@@ -9,7 +9,7 @@
 namespace texbake {
 namespace {
 
-struct Request {
+struct StackFlags {
   std::vector<std::string> inputs;
   std::string output;
   StackOptions options;
@@ -21,7 +21,7 @@ void check_count(const std::vector<std::string>& inputs) {
               fmt::format("expected 2 to {} bundles, coarse to fine, found {}", kMaxScales, inputs.size()));
 }
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const StackFlags& request, Console& console) {
   check_count(request.inputs);
   check_options(request.options);
   transfers_of(request.options, request.inputs.size());
@@ -35,8 +35,8 @@ Outcome run(const Request& request, Console& console) {
   return written_bundle(request.output, {stack.stages.back()});
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_stack(Arguments& arguments) {
+  const auto request = std::make_shared<StackFlags>();
   arguments.positional({.name = "BUNDLES",
                         .names = Names::folder,
                         .help = "two or more bundles (folders NAME.texbundle) of one scale each, coarse to fine",
@@ -59,7 +59,7 @@ Command stack_command() {
   return {"stack", "bundles, coarse ... fine → bundle: make one material that holds from far away to close up",
           "  texbake stack cliff.texbundle rock.texbundle --ratio 16 -o wall.texbundle\n"
           "  texbake stack far.texbundle mid.texbundle near.texbundle --ratio 8,16 -o ground.texbundle",
-          declare};
+          declare_stack};
 }
 
 }  // namespace texbake

@@ -53,7 +53,7 @@ struct VerifyOptions {
   }
 };
 
-struct Request {
+struct VerifyFlags {
   std::string bundle;
   VerifyOptions options;
   GlOptions gl;
@@ -86,7 +86,7 @@ void append(Outcome& outcome, const Outcome& further) {
 }
 
 /// What the bundle looks like when something else draws it.
-void compare_drawings(const Request& request, Outcome& outcome, Console& console) {
+void compare_drawings(const VerifyFlags& request, Outcome& outcome, Console& console) {
   const bool draws = request.gl.backend == Backend::gl;
   if (!draws && request.frame.frame.empty()) return;
   const Bundle bundle = read_bundle(request.bundle);
@@ -103,7 +103,7 @@ void compare_drawings(const Request& request, Outcome& outcome, Console& console
                                  material.tile_size()));
 }
 
-Outcome run(const Request& request, Console& console) {
+Outcome run(const VerifyFlags& request, Console& console) {
   check_options(request.options);
   check_options(request.gl);
   check_request(request.frame);
@@ -113,8 +113,8 @@ Outcome run(const Request& request, Console& console) {
   return outcome;
 }
 
-Action declare(Arguments& arguments) {
-  const auto request = std::make_shared<Request>();
+Action declare_verify(Arguments& arguments) {
+  const auto request = std::make_shared<VerifyFlags>();
   add_bundle_path(arguments, request->bundle);
   const char* const shader = "The reference shader";
   add_flags(arguments, request->gl, shader);
@@ -144,7 +144,7 @@ Command verify_command() {
           "  texbake verify leaves.texbundle\n"
           "  texbake verify leaves.texbundle --backend gl\n"
           "  texbake verify leaves.texbundle --frame capture.png --camera capture.json --difference where.png",
-          declare};
+          declare_verify};
 }
 
 }  // namespace texbake

@@ -48,8 +48,6 @@ void write_difference(const std::string& path, const Image<V3f>& expected, const
   write_picture(path, difference_picture(expected, found, gain), PictureRole::data);
 }
 
-std::string text(const V3f& value) { return fmt::format("({}, {}, {})", value.x, value.y, value.z); }
-
 /// The frame beside the reference, in light and in steps of its samples.
 struct Finding {
   const CapturedFrame& frame;
@@ -68,8 +66,8 @@ std::string text(const Finding& finding, const std::string& path) {
                      c.nan_pixels, c.mean_difference, finding.unit());
   if (const auto& worst = c.worst)
     out += fmt::format("  worst: pixel ({}, {}): expected {}, found {}, {:.4g}{} apart\n", worst->x, worst->y,
-                       text(finding.expected(worst->x, worst->y)), text(finding.frame.values(worst->x, worst->y)),
-                       worst->difference, finding.unit());
+                       vector_text(finding.expected(worst->x, worst->y)),
+                       vector_text(finding.frame.values(worst->x, worst->y)), worst->difference, finding.unit());
   return out;
 }
 

@@ -32,8 +32,6 @@ Json json_of(const Place& place) {
           {"filter", enum_name(place.window.filter)}};
 }
 
-std::string text(const V3f& value) { return fmt::format("({}, {}, {})", value.x, value.y, value.z); }
-
 std::string text(const PixelDecision& decision) {
   return fmt::format("patch {} content {} source ({}, {})", decision.patch_idx, decision.content, decision.source_x,
                      decision.source_y);
@@ -73,7 +71,7 @@ std::string text(const LanguageParity& found, V2i tile_size) {
   if (const auto& worst = report.worst)
     out += fmt::format("  worst value: {} at {}: expected {}, found {}\n", worst->plane,
                        text(Place{tile_size, worst->window, {worst->pixel.x, worst->pixel.y}}),
-                       text(worst->pixel.expected), text(worst->pixel.found));
+                       vector_text(worst->pixel.expected), vector_text(worst->pixel.found));
   return out;
 }
 

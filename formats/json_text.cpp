@@ -113,6 +113,8 @@ Json json_number(float value) {
 
 Json vector_json(const V3f& v) { return Json::array({json_number(v.x), json_number(v.y), json_number(v.z)}); }
 
+std::string vector_text(const V3f& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
+
 V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
 
 Json parse_json(std::string_view text, IssueLog& log) {

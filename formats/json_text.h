@@ -14,6 +14,8 @@ namespace texbake {
 Json json_number(float value);
 /// The same of each component, in an array.
 Json vector_json(const V3f& vector);
+/// The same for people: (0.5, 0.25, 1).
+std::string vector_text(const V3f& vector);
 /// A vector from such an array.
 V3f vector_of(const Json& json);
 

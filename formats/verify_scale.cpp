@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "formats/json_text.h"
 #include "libbake/base/portable_math.h"
 
 namespace texbake {
@@ -22,8 +23,6 @@ bool is_close(const V3f& a, const V3f& b) {
     if (std::abs(a[c] - b[c]) > kMeanFloor + kMeanTolerance * std::abs(b[c])) return false;
   return true;
 }
-
-std::string shown(const V3f& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
 IssueId issue_of(PartitionFault::Kind kind) {
   switch (kind) {
@@ -86,8 +85,8 @@ void check_fragment_colors(const ScaleUnderTest& test, IssueLog& log) {
   Issue issue{IssueId::fragment_color, {.file = test.file, .part = "fragmentColor"}, "", 0};
   for (size_t i = 0; i < fragments.size(); ++i) {
     if (is_close(fragments[i].mean_color, means[i]) || issue.count++ > 0) continue;
-    issue.detail =
-        fmt::format("expected {} for fragment {}, found {}", shown(means[i]), i, shown(fragments[i].mean_color));
+    issue.detail = fmt::format("expected {} for fragment {}, found {}", vector_text(means[i]), i,
+                               vector_text(fragments[i].mean_color));
     const auto width = static_cast<size_t>(test.size.x);
     issue.where.texel = V2i(static_cast<int>(i % width), static_cast<int>(i / width));
   }
@@ -162,7 +161,7 @@ void check_palette(const ScaleUnderTest& test, IssueLog& log) {
     if (largest != std::max({v.x, v.y, v.z}))
       log.add({IssueId::palette_sign,
                {.pointer = at + "/variation"},
-               fmt::format("expected the component of largest magnitude to be positive, found {}", shown(v))});
+               fmt::format("expected the component of largest magnitude to be positive, found {}", vector_text(v))});
     if (k > 0 && classes[k].dominant.x < classes[k - 1].dominant.x)
       log.add({IssueId::palette_order,
                {.pointer = at + "/dominant"},
@@ -176,7 +175,7 @@ void check_means(const ScaleUnderTest& test, const V3f& mean, IssueLog& log) {
   if (!is_close(mean, found))
     log.add({IssueId::mean_mismatch,
              {.pointer = test.pointer + "/mean"},
-             fmt::format("expected {}, found {}", shown(found), shown(mean))});
+             fmt::format("expected {}, found {}", vector_text(found), vector_text(mean))});
   if (test.has("fragment") && test.has("fragmentColor")) check_fragment_colors(test, log);
 }
 

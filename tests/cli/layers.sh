@@ -61,7 +61,7 @@ only 'zlib.h' formats/png_check.cpp
 only 'opencv2/' libbake/base/fft.cpp libbake/report/sheet.cpp
 only 'ceres/' libbake/noise/lobes.cpp
 only 'flann/' libbake/height/nearest_clicks.cpp libbake/quality/structure_distance.cpp
-only 'tbb/' libbake/base/parallel.h formats/exr_planes.cpp cli/limits.cpp
+only 'tbb/' libbake/base/parallel.h formats/exr_planes.cpp cli/resource_limits.cpp
 only 'EGL/|GL/|GLES' libbake/gl/gl_functions.h libbake/gl/gl_context.cpp
 only 'CLI/' cli/parser.cpp
 only 'nlohmann/' formats/bundle.h formats/issues.h

@@ -1,0 +1,126 @@
+// Based on: man(7) and groff_man(7): only macros that mandoc knows too, and no character beyond ASCII.
+#include "cli/manual.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "cli/exit_code.h"
+#include "cli/help.h"
+
+namespace texbake {
+namespace {
+
+/// The code point that begins at `text[at]`, which is moved behind it. `text` is valid UTF-8.
+unsigned next_code_point(const std::string& text, size_t& at) {
+  const auto lead = static_cast<unsigned char>(text[at++]);
+  if (lead < 0x80) return lead;
+  const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
+  unsigned code = lead & (0x3Fu >> more);
+  for (int i = 0; i < more; ++i) code = code << 6 | (static_cast<unsigned char>(text[at++]) & 0x3Fu);
+  return code;
+}
+
+/// `text` so that troff prints it as it stands.
+std::string escaped(const std::string& text) {
+  std::string result = text.starts_with(".") || text.starts_with("'") ? "\\&" : "";
+  for (size_t at = 0; at < text.size();) {
+    const unsigned code = next_code_point(text, at);
+    if (code == '\\')
+      result += "\\e";
+    else if (code == '-')
+      result += "\\-";
+    else if (code < 0x80)
+      result += static_cast<char>(code);
+    else
+      result += fmt::format("\\[u{:04X}]", code);
+  }
+  return result;
+}
+
+std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\fR"; }
+std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
+
+std::string upper(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char letter) { return std::toupper(letter); });
+  return text;
+}
+
+std::string section(const std::string& title) { return ".SH " + escaped(title) + "\n"; }
+
+std::string item(const std::string& name, const std::string& text) { return ".TP\n" + name + "\n" + text + "\n"; }
+
+std::string heading(const Argument& argument) {
+  if (argument.form == Form::positional) return italic(heading_of(argument));
+  std::string text = argument.letter ? bold(fmt::format("-{}", argument.letter)) + ", " : "";
+  text += bold("--" + argument.name);
+  return argument.value.empty() ? text : text + " " + italic(argument.value);
+}
+
+std::string arguments(const Arguments& list) {
+  std::string text;
+  for (const ArgumentGroup& group : list.groups()) {
+    text += ".SS " + escaped(group.heading) + "\n";
+    for (const Argument* argument : group.arguments)
+      text += item(heading(*argument), escaped(description_of(*argument)));
+  }
+  return text;
+}
+
+std::string title(const std::string& name) {
+  return fmt::format(".TH {} 1 \"\" \"texbake {}\" \"texbake\"\n", escaped(upper(name)), program_version());
+}
+
+std::string name_section(const std::string& name, const std::string& summary) {
+  return section("NAME") + escaped(name) + " \\- " + escaped(summary) + "\n";
+}
+
+std::string examples(const std::string& commands) {
+  std::string text = section("EXAMPLES") + ".nf\n";
+  std::istringstream stream(commands);
+  for (std::string line; std::getline(stream, line);) text += escaped(line.substr(line.find_first_not_of(' '))) + "\n";
+  return text + ".fi\n";
+}
+
+std::string page_name(const Verb& verb) { return "texbake-" + verb.name(); }
+
+/// The pages of all verbs but `except`.
+std::string see_also(const CommandLine& line, const Verb* except) {
+  std::string text = section("SEE ALSO");
+  if (except) text += ".BR texbake (1),\n";
+  for (const Verb& verb : line.verbs())
+    if (&verb != except) text += ".BR " + escaped(page_name(verb)) + " (1),\n";
+  text.erase(text.size() - 2, 1);  // the last comma
+  return text;
+}
+
+std::string exit_status() {
+  std::string text = section("EXIT STATUS");
+  for (const ExitCode code : kExitCodes)
+    text += item(bold(fmt::format("{}", static_cast<int>(code))), escaped(exit_meaning(code)));
+  return text;
+}
+
+}  // namespace
+
+std::string manual_page(const CommandLine& line) {
+  std::string text = title("texbake") + name_section("texbake", kProgramBrief);
+  text += section("SYNOPSIS") + bold("texbake") + " " + italic("VERB") + " [" + italic("OPTIONS") + "] ...\n";
+  text += section("DESCRIPTION") + escaped(kProgramSummary) + "\n" + ".SS Verbs\n";
+  for (const Verb& verb : line.verbs()) text += item(bold(verb.name()), escaped(verb.command.summary));
+  text += item(bold("help"), escaped(kHelpSummary));
+  text += section("OPTIONS") + arguments(line.program()) + arguments(line.common());
+  return text + exit_status() + examples(kProgramExample) + see_also(line, nullptr);
+}
+
+std::string manual_page(const CommandLine& line, const Verb& verb) {
+  std::string text = title(page_name(verb)) + name_section(page_name(verb), verb.command.summary);
+  text += section("SYNOPSIS") + escaped(usage_of(verb)) + "\n";
+  text += section("OPTIONS") + arguments(verb.arguments) + arguments(line.common());
+  text += section("EXIT STATUS") + "That of\n.BR texbake (1).\n";
+  return text + examples(verb.command.example) + see_also(line, &verb);
+}
+
+}  // namespace texbake
