@@ -1,7 +1,7 @@
 // texbake decompose: bundle → bundle with structure and masks.
 #include "bake/layer_stages.h"
 #include "cli/stage_command.h"
-#include "formats/image_writer.h"
+#include "cli/sheets.h"
 
 namespace texbake {
 namespace {
@@ -14,10 +14,7 @@ struct DecomposeFlags {
 
 Outcome run(const DecomposeFlags& request, Console& console) {
   check_options(request.options);
-  if (!request.sheet.empty()) {
-    check_picture_name(request.sheet);
-    check_file_target(request.sheet);
-  }
+  check_sheet(request.sheet);
   return change_bundle(request.paths, "decompose", console,
                        [&](Bundle& bundle) { run_decompose(bundle, request.options, request.sheet, console); });
 }

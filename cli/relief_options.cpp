@@ -21,6 +21,10 @@ Direction parse_direction(std::string_view flag, const std::string& text) {
 
 }  // namespace
 
+std::string direction_text(const Direction& direction) {
+  return fmt::format("{},{},{}", direction.x, direction.y, direction.z);
+}
+
 Relief relief_of(const ReliefOptions& options, const SlantOptions& slant) {
   return {options, parse_direction("view-direction", slant.view), parse_direction("light", slant.light)};
 }

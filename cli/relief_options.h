@@ -8,9 +8,12 @@
 
 namespace texbake {
 
+/// "X,Y,Z"
+std::string direction_text(const Direction& direction);
+
 struct SlantOptions {
   std::string view = "0,0,1";
-  std::string light = "-1,-1,1.5";
+  std::string light = direction_text(kDefaultLight);
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

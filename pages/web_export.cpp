@@ -124,14 +124,12 @@ void write_folder(const std::string& texture_script, const fs::path& folder) {
   for (const auto& [name, text] : kViewerFiles) write(name, text);
 }
 
-constexpr Direction kLight{-1, -1, 1.5f};  ///< as render's
-
 /// As deep as the stones of a wall are, seen from far enough to see several: a guess that a person may correct.
 float default_relief_px(const EvaluatorInput& coarsest) {
   constexpr float kSharePerSide = 1.0f / 32;
-  const bool has_heights = std::any_of(coarsest.maps.begin(), coarsest.maps.end(),
-                                       [](const MapInput& map) { return map.kind == MapKind::height; });
-  return has_heights ? kSharePerSide * static_cast<float>(std::min(coarsest.base.width(), coarsest.base.height())) : 0;
+  return has_heights(coarsest)
+             ? kSharePerSide * static_cast<float>(std::min(coarsest.base.width(), coarsest.base.height()))
+             : 0;
 }
 
 /// The finest scale without its maps, which the page does not show.
@@ -183,7 +181,7 @@ void export_web(const DrawnMaterial& material, std::optional<float> relief_px, c
   if (material.scales.size() == 1 && relief.depth_px == 0) return export_web(prepare(drawn_color(material)), folder);
   const StackPlanes planes = prepare_stack(material.scales);
   if (relief.depth_px == 0) return export_web(planes, nullptr, folder);
-  const ReliefPlanes heights = relief_planes(coarsest, relief, kLight);
+  const ReliefPlanes heights = relief_planes(coarsest, relief, kDefaultLight);
   export_web(planes, &heights, folder);
 }
 

@@ -19,7 +19,7 @@ namespace texbake {
 struct Relief {
   ReliefOptions options;
   Direction viewer{0, 0, 1};  ///< of a flat window
-  Direction light{-1, -1, 1.5f};
+  Direction light = kDefaultLight;
 };
 
 /// What a picture shows.

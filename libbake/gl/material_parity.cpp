@@ -10,11 +10,6 @@ namespace {
 /// Texels between height 0 and 1: enough that rays meet the surface at a distance from where they enter.
 constexpr float kReliefDepthPx = 16;
 
-bool has_heights(const EvaluatorInput& input) {
-  return std::any_of(input.maps.begin(), input.maps.end(),
-                     [](const MapInput& map) { return map.kind == MapKind::height; });
-}
-
 }  // namespace
 
 ParityMaterial::ParityMaterial(const DrawnMaterial& material)

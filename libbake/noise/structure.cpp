@@ -113,11 +113,11 @@ void weights_of_row(const SpectraRows& spectra, int y, int width, const WeightCu
 PairWeights measure_pairs(const LocalSpectra& guide, double sigma, const Progress& progress) {
   PairWeights weights(guide.width(), guide.height());
   const WeightCurve curve(sigma);
-  constexpr int kBandRows = 32;
-  const int bands = (guide.height() + kBandRows - 1) / kBandRows;
+  constexpr int kRowsAtOnce = 32;
+  const int bands = (guide.height() + kRowsAtOnce - 1) / kRowsAtOnce;
   parallel_for(0, bands, [&](int band) {
-    const int y_begin = band * kBandRows;
-    const int y_end = std::min(y_begin + kBandRows, guide.height());
+    const int y_begin = band * kRowsAtOnce;
+    const int y_end = std::min(y_begin + kRowsAtOnce, guide.height());
     const SpectraRows spectra = guide.rows(y_begin - kReach, y_end);
     for (int y = y_begin; y < y_end; ++y) weights_of_row(spectra, y, guide.width(), curve, weights, guide.height());
   });

@@ -45,6 +45,11 @@ struct EvaluatorInput {
   int soft_border_px = 0;                ///< over how many texels on either side of their border patches blend; 0: hard
 };
 
+/// Whether one of its maps is a height map, so that it can be drawn with relief.
+inline bool has_heights(const EvaluatorInput& input) {
+  return std::ranges::any_of(input.maps, [](const MapInput& map) { return map.kind == MapKind::height; });
+}
+
 /// The widest soft border of a tile.
 inline int max_soft_border_px(V2i tile_size) { return std::min({tile_size.x / 8, tile_size.y / 8, 32}); }
 

@@ -55,4 +55,7 @@ struct Direction {
   float x = 0, y = 0, z = 1;
 };
 
+/// Towards the light unless a caller says otherwise: from the upper left, as pictures of reliefs are lit by custom.
+inline constexpr Direction kDefaultLight{-1, -1, 1.5f};
+
 }  // namespace texbake

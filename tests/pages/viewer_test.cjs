@@ -11,9 +11,13 @@ const {chromium} = require('playwright-core');
 const [executablePath, goldenFolder, pagesFolder] = process.argv.slice(2);
 const kSwitches = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-first-run',
                    '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+// Shaders are compiled and run by the processor here, beside other tests: a page that takes minutes is not wrong.
+const kPatience_ms = 600000;
 
 async function open(browser, tile, width = 640, height = 480) {
   const page = await browser.newPage({viewport: {width, height}});
+  page.setDefaultTimeout(kPatience_ms);
+  page.setDefaultNavigationTimeout(kPatience_ms);
   const problems = [];
   page.on('pageerror', (error) => problems.push(String(error)));
   page.on('request', (request) => {
