@@ -13,7 +13,8 @@ version=$("$TEXBAKE" --version | grep -o '[0-9][0-9.]*' | head -1)
 
 dpkg-deb -x "$package" unpacked
 for path in bin/texbake include/texbake/formats/bundle.h share/texbake/shaders/content.glsl \
-  share/texbake/schemas/camera.schema.json share/doc/texbake/copyright; do
+  share/texbake/schemas/camera.schema.json share/doc/texbake/copyright share/man/man1/texbake.1 share/man/man1/texbake-select-contents.1 \
+  share/bash-completion/completions/texbake share/zsh/site-functions/_texbake share/fish/vendor_completions.d/texbake.fish; do
   [ -f "unpacked/usr/$path" ] || fail "the package lacks $path"
 done
 [ -n "$(find unpacked/usr -name texbake-config.cmake)" ] || fail "the package lacks what find_package(texbake) reads"
