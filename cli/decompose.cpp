@@ -1,7 +1,7 @@
 // texbake decompose: bundle → bundle with structure and masks.
 #include "bake/layer_stages.h"
-#include "cli/stage_command.h"
 #include "cli/sheets.h"
+#include "cli/stage_command.h"
 
 namespace texbake {
 namespace {
