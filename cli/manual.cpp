@@ -43,6 +43,13 @@ std::string escaped(const std::string& text) {
 std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\fR"; }
 std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
 
+/// What an option takes: a line may break after each word of a choice.
+std::string value_text(const std::string& value) {
+  std::string text = italic(value);
+  for (size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 3) text.insert(at + 1, "\\:");
+  return text;
+}
+
 std::string upper(std::string text) {
   std::ranges::transform(text, text.begin(), [](unsigned char letter) { return std::toupper(letter); });
   return text;
@@ -56,7 +63,7 @@ std::string heading(const Argument& argument) {
   if (argument.form == Form::positional) return italic(heading_of(argument));
   std::string text = argument.letter ? bold(fmt::format("-{}", argument.letter)) + ", " : "";
   text += bold("--" + argument.name);
-  return argument.value.empty() ? text : text + " " + italic(argument.value);
+  return argument.value.empty() ? text : text + " " + value_text(argument.value);
 }
 
 std::string arguments(const Arguments& list) {

@@ -39,7 +39,7 @@ for verb in "" $verbs; do
 done
 
 # Descriptions, defaults and examples too, in the words of the help.
-plain_words() { tr -s ' \n' '\n\n' | sed -E 's/\\\[u[0-9A-F]+\]|[^ -~]//g; s/\\e/\\/g; s/\\-/-/g; s/\\&//g' ; }
+plain_words() { tr -s ' \n' '\n\n' | sed -E 's/\\\[u[0-9A-F]+\]|[^ -~]//g; s/\\e/\\/g; s/\\://g; s/\\-/-/g; s/\\&//g' ; }
 texbake render --help | sed -n '/^View:/,/^$/p' | sed -E '1d; s/^  (--[a-z-]+)/\1/' | plain_words > words
 grep -A100 '^\.SS View' "$share/man/man1/texbake-render.1" | sed '/^\.SS Def/,$d; /^\.SS View/d; /^\.TP/d; s/\\f[BIR]//g' | plain_words > manual_words
 diff words manual_words >&2 || fail "the manual page of render says something else than its help"
@@ -55,7 +55,7 @@ mkdir leaves.texbundle && touch leaves.jpg
 offers "render report" re
 offers "render report" --json re
 offers "render report" -j 4 re
-offers "help heightmap" he
+offers "heightmap help" he
 offers "render report" help re
 offers "--relief --relief-refinements --relief-steps" render --reli
 offers "anisotropic" render leaves.texbundle --filter an
@@ -72,7 +72,7 @@ offers "always auto" info --progress a
 # What else reads them complains of nothing.
 if command -v groff > /dev/null; then
   for page in "$share"/man/man1/*.1; do
-    groff -man -ww -z -Tascii "$page" 2>&1 | grep . && fail "groff complains about $page"
+    groff -man -ww -z -Tutf8 "$page" 2>&1 | grep . && fail "groff complains about $page"
   done
 else
   missing groff "the manual pages are not read"
