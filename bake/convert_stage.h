@@ -24,7 +24,10 @@ struct StorageOptions {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(self.color, Field{.name = "colour", .help = "full: lossless; palette: class and variation alone, smaller"});
+    visit(
+        self.color,
+        Field{.name = "colour",
+              .help = "how colors are stored: full (lossless), or palette (color class and variation only; smaller)"});
   }
 };
 

@@ -35,7 +35,7 @@ bare() {
     echo "== making a bare Debian 12 in $1" >&2
     local mirror
     mirror=$(apt-get indextargets --format '$(SITE) $(RELEASE)' 'Created-By: Packages' | sed -n 's/ bookworm$//p' | head -1)
-    debootstrap --variant=minbase bookworm "$1" "${mirror:-http://deb.debian.org/debian}" >&2
+    debootstrap --variant=minbase bookworm "$1" ${mirror:+"$mirror"} >&2
     rm -f "$1/etc/apt/sources.list"
     cp -r /etc/apt/sources.list* /etc/apt/trusted.gpg.d "$1/etc/apt/" 2>/dev/null || true
     apt-config dump | grep -E '^Acquire::(https?::|Check-)' > "$1/etc/apt/apt.conf.d/host" || true
