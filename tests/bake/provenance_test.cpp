@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/bake/stage_verbs.h"
+
 namespace texbake {
 namespace {
 
@@ -22,12 +24,6 @@ Bundle baked() {
   for (const char* verb : {"convert", "decompose", "estimate-psd", "fragment", "patch", "select-contents", "heightmap"})
     bundle.stages.emplace_back().verb = verb;
   return bundle;
-}
-
-std::vector<std::string> verbs(const Bundle& bundle) {
-  std::vector<std::string> list;
-  for (const Stage& stage : bundle.stages) list.push_back(stage.verb);
-  return list;
 }
 
 TEST(Provenance, AStageThatRunsAgainDropsWhatWasMadeFromIt) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bake/layer_stages.h"
+#include "tests/bake/stage_verbs.h"
 #include "tests/formats/bundle_fixtures.h"
 
 namespace texbake {
@@ -19,12 +20,6 @@ class Memory : public SilentListener {
   void warning(const std::string& text) override { warnings.push_back(text); }
   std::vector<std::string> warnings;
 };
-
-std::vector<std::string> verbs(const Bundle& bundle) {
-  std::vector<std::string> list;
-  for (const Stage& stage : bundle.stages) list.push_back(stage.verb);
-  return list;
-}
 
 /// `run` throws, says nothing, and leaves the records and results of a whole bundle where they were.
 template <class Run>
