@@ -34,7 +34,7 @@ Given parsed(const Words& words) {
 }
 
 /// The message with which the words are refused.
-std::string refusal(const Words& words) {
+std::string usage_error(const Words& words) {
   try {
     parsed(words);
   } catch (const Error& error) {
@@ -58,15 +58,15 @@ TEST(Parser, AnArgumentThatIsGivenAgain) {
   EXPECT_EQ(parsed({"a.png", "--name", "one", "--name", "two"}).name, "two");
   EXPECT_THAT(parsed({"a.png", "--map", "n=1", "--map", "h=2"}).maps, ElementsAre("n=1", "h=2"));
   EXPECT_TRUE(parsed({"a.png", "--quick", "--quick"}).quick);
-  EXPECT_THAT(refusal({"a.png", "--size", "4", "--size", "5"}), HasSubstr("size"));
+  EXPECT_THAT(usage_error({"a.png", "--size", "4", "--size", "5"}), HasSubstr("size"));
 }
 
 TEST(Parser, WhatDoesNotFitIsRefused) {
-  EXPECT_THAT(refusal({}), HasSubstr("INPUT"));
-  EXPECT_THAT(refusal({"a.png", "b.png"}), HasSubstr("unexpected argument \"b.png\""));
-  EXPECT_THAT(refusal({"a.png", "--sise", "4"}), AllOf(HasSubstr("\"--sise\""), HasSubstr("--size")));
-  EXPECT_THAT(refusal({"a.png", "--quick", "--slow"}), HasSubstr("--quick cannot be combined with --slow"));
-  EXPECT_NE(refusal({"a.png", "--size"}), "");
+  EXPECT_THAT(usage_error({}), HasSubstr("INPUT"));
+  EXPECT_THAT(usage_error({"a.png", "b.png"}), HasSubstr("unexpected argument \"b.png\""));
+  EXPECT_THAT(usage_error({"a.png", "--sise", "4"}), AllOf(HasSubstr("\"--sise\""), HasSubstr("--size")));
+  EXPECT_THAT(usage_error({"a.png", "--quick", "--slow"}), HasSubstr("--quick cannot be combined with --slow"));
+  EXPECT_NE(usage_error({"a.png", "--size"}), "");
 }
 
 TEST(Parser, VerbsHelpAndVersion) {
