@@ -156,11 +156,12 @@ Asked parse(const CommandLine& line, Words words) {
   if (rest[0] == "help") return help_of(line, after_verb);
 
   const Verb& verb = verb_named(line, rest[0]);
+  if (before_verb.has("help")) return {Asked::For::help, &verb};
   WordFinder of_verb(see("texbake " + verb.name()));
   of_verb.declare(verb.arguments);
   of_verb.declare(line.common());
   of_verb.find(after_verb);
-  if (before_verb.has("help") || of_verb.has("help")) return {Asked::For::help, &verb};
+  if (of_verb.has("help")) return {Asked::For::help, &verb};
   of_verb.check_left_over();
   of_verb.check_excluded(before_verb);
   before_verb.assign();
