@@ -39,7 +39,7 @@ void check_count(int count, const FragmentMap& fragments) {
 /// Of several packings, the first that needs no cluster beyond `count`, else the one that needs the fewest.
 Clusters clusters_of(const FragmentMap& fragments, const FragmentGraph& graph, int count, uint32_t seed) {
   std::vector<V2d> middles;
-  for (const V2i& c : fragments.partition.centers) middles.push_back({c.x + 0.5, c.y + 0.5});
+  for (const V2i& c : fragments.partition.centers) middles.emplace_back(c.x + 0.5, c.y + 0.5);
   std::optional<Clusters> best;
   for (uint32_t attempt = 0; attempt < kAttempts; ++attempt) {
     const CirclePacking packing =

@@ -51,21 +51,21 @@ offers() { # offers EXPECTED WORD...
   found=$(complete_in_bash "$@" | sort | tr '\n' ' ')
   [ "${found% }" = "$expected" ] || fail "texbake $*<TAB> offers \"${found% }\", expected \"$expected\""
 }
-mkdir leaves.texbundle && touch leaves.jpg
+mkdir zinnia.texbundle && touch zinnia.jpg
 offers "render report" re
 offers "render report" --json re
 offers "render report" -j 4 re
 offers "heightmap help" he
 offers "render report" help re
 offers "--relief --relief-refinements --relief-steps" render --reli
-offers "anisotropic" render leaves.texbundle --filter an
+offers "anisotropic" render zinnia.texbundle --filter an
 offers "anisotropic bilinear nearest trilinear" render --filter ""
 offers "anisotropic" render --filter = an
 offers "auto" select-contents --search au
-offers "leaves.texbundle" render l
-offers "leaves.jpg leaves.texbundle" bake l
-offers "leaves.texbundle" bake --output l
-offers "leaves.jpg leaves.texbundle" render -o l
+offers "zinnia.texbundle" render z
+offers "zinnia.jpg zinnia.texbundle" bake z
+offers "zinnia.texbundle" bake --output z
+offers "zinnia.jpg zinnia.texbundle" render -o z
 offers "" render --size 6
 offers "always auto" info --progress a
 

@@ -31,6 +31,9 @@ readelf -d unpacked/usr/bin/texbake | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' > n
 while read -r library; do
   path=$(ldd unpacked/usr/bin/texbake | sed -n "s|.*$library => \([^ ]*\).*|\1|p")
   [ -n "$path" ] || continue  # the loader itself
-  owner=$(dpkg -S "$(readlink -f "$path")" | sed 's/:.*//' | head -1)
+  path=$(readlink -f "$path")
+  # Some packages list /lib, which is a link to /usr/lib.
+  owner=$({ dpkg -S "$path" || dpkg -S "${path#/usr}"; } 2> /dev/null | sed 's/:.*//' | head -1)
+  [ -n "$owner" ] || fail "no package holds $path"
   grep -qw -- "$owner" <<< "$depends" || fail "$library is in $owner, which is not among the dependencies: $depends"
 done < needed.txt
