@@ -51,7 +51,7 @@ void check_asset(const Json& json, Semantics semantics, IssueLog& log) {
          {.pointer = "/asset"},
          fmt::format("expected kind \"texbake.bundle\", version and minVersion \"MAJOR.MINOR\" and an integer "
                      "semantics, found {}",
-                     compact_json(asset).substr(0, 200))});
+                     shortened(compact_json(asset), 200))});
   if (version->major != kOurVersion.major)
     log.add({IssueId::version_too_new,
              {.pointer = "/asset/version"},
@@ -64,7 +64,7 @@ void check_asset(const Json& json, Semantics semantics, IssueLog& log) {
   if (!required.is_null() && !(required.is_array() && required.empty()))
     log.add({IssueId::extension_unknown,
              {.pointer = "/extensionsRequired"},
-             fmt::format("expected no required extension, found {}", compact_json(required).substr(0, 200))});
+             fmt::format("expected no required extension, found {}", shortened(compact_json(required), 200))});
   if (semantics == Semantics::known && number != kSemantics)
     log.add({IssueId::semantics_unknown,
              {.pointer = "/asset/semantics"},

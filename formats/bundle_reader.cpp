@@ -54,13 +54,13 @@ std::string manifest_text(const std::filesystem::path& path, IssueLog& log) {
 /// Counts the texels of one plane outside their range, and where the first one is.
 class RangeCheck {
  public:
-  explicit RangeCheck(const ScalePlane& plane) : plane_(plane) {}
+  RangeCheck(const ScalePlane& plane, const PlaneShape& shape) : plane_(plane), shape_(shape) {}
 
   /// Values outside become `fallback`, so that nothing downstream is led astray.
   template <class T>
   void row(int channel, int y, T* values) {
     const ChannelRange& range = plane_.ranges[static_cast<size_t>(channel)];
-    for (int x = 0; x < plane_.shape.width; ++x) {
+    for (int x = 0; x < shape_.width; ++x) {
       const auto value = static_cast<double>(values[x]);
       if (value >= range.low && value <= range.high) continue;
       Tally& tally = tallies_[std::isfinite(value) ? range.id : IssueId::not_finite];
@@ -74,7 +74,7 @@ class RangeCheck {
 
   void report(const std::string& file, IssueLog& log) const {
     for (const auto& [id, tally] : tallies_)
-      log.add({id, {.file = file, .part = plane_.shape.part, .texel = tally.first}, tally.detail, tally.count});
+      log.add({id, {.file = file, .part = shape_.part, .texel = tally.first}, tally.detail, tally.count});
   }
 
  private:
@@ -85,50 +85,76 @@ class RangeCheck {
   };
 
   const ScalePlane& plane_;
+  const PlaneShape& shape_;
   std::map<IssueId, Tally> tallies_;
 };
 
-/// Canonical bytes of one row to the image of the plane, checked on the way.
-void put_row(const ScalePlane& plane, RangeCheck& check, int y, const std::byte* row, std::vector<float>& floats,
-             std::vector<uint32_t>& labels) {
-  const auto width = static_cast<size_t>(plane.shape.width);
-  const size_t channel_bytes = width * bytes_of(plane.shape.type);
-  for (int c = 0; c < static_cast<int>(plane.shape.channels.size()); ++c, row += channel_bytes) {
-    if (plane.shape.type == PixelType::uint) {
-      std::memcpy(labels.data(), row, channel_bytes);
-      check.row(c, y, labels.data());
-      if (plane.put_labels) plane.put_labels(c, y, labels.data());
-      continue;
-    }
-    if (plane.shape.type == PixelType::half)
-      std::copy_n(reinterpret_cast<const Imath::half*>(row), width, floats.begin());
-    else
-      std::memcpy(floats.data(), row, channel_bytes);
-    check.row(c, y, floats.data());
-    if (plane.put_floats) plane.put_floats(c, y, floats.data());
-  }
-}
+enum class PlaneUse {
+  kept,     ///< values are checked and stored
+  checked,  ///< they are checked and left
+  hashed,   ///< another name of the part sees to them
+};
 
-/// Reads the part of `refs`, which are one or several names for the same pixels. True where all is right.
-bool read_plane(const ExrReader& reader, const ScalePlane& plane, const std::vector<const PlaneRef*>& refs,
-                IssueLog& log) {
-  const PlaneShape& shape = refs.front()->shape;
-  RangeCheck check(plane);
-  std::vector<float> floats(static_cast<size_t>(shape.width));
-  std::vector<uint32_t> labels(static_cast<size_t>(shape.width));
-  const std::string found = reader.read(
-      shape, [&](int y, const std::byte* row) { put_row(plane, check, y, row, floats, labels); }, log);
-  if (found.empty()) return false;
-  bool right = true;
-  for (const PlaneRef* ref : refs) {
-    if (ref->pixel_hash == found) continue;
-    right = false;
-    log.add({IssueId::hash_mismatch,
-             {.file = ref->file, .part = shape.part},
-             fmt::format("expected pixelHash {} for {}, found {}", ref->pixel_hash, ref->key, found)});
+/// One of the names of a part: where its values go.
+class PlaneSink {
+ public:
+  PlaneSink(const ScalePlane& plane, const PlaneRef& ref, PlaneUse use)
+      : plane_(plane), ref_(ref), use_(use), check_(plane, ref.shape) {}
+
+  /// Canonical bytes of one row to the image of the plane, checked on the way.
+  void put(int y, const std::byte* row) {
+    if (use_ == PlaneUse::hashed) return;
+    const auto width = static_cast<size_t>(ref_.shape.width);
+    const size_t channel_bytes = width * bytes_of(ref_.shape.type);
+    floats_.resize(width);
+    labels_.resize(width);
+    for (int c = 0; c < static_cast<int>(ref_.shape.channels.size()); ++c, row += channel_bytes) {
+      if (ref_.shape.type == PixelType::uint) {
+        std::memcpy(labels_.data(), row, channel_bytes);
+        check_.row(c, y, labels_.data());
+        if (use_ == PlaneUse::kept && plane_.put_labels) plane_.put_labels(c, y, labels_.data());
+        continue;
+      }
+      if (ref_.shape.type == PixelType::half)
+        std::copy_n(reinterpret_cast<const Imath::half*>(row), width, floats_.begin());
+      else
+        std::memcpy(floats_.data(), row, channel_bytes);
+      check_.row(c, y, floats_.data());
+      if (use_ == PlaneUse::kept && plane_.put_floats) plane_.put_floats(c, y, floats_.data());
+    }
   }
-  check.report(refs.front()->file, log);
-  return right;
+
+  const PlaneRef& ref() const { return ref_; }
+  void report(IssueLog& log) const { check_.report(ref_.file, log); }
+
+ private:
+  const ScalePlane& plane_;
+  const PlaneRef& ref_;
+  PlaneUse use_;
+  RangeCheck check_;
+  std::vector<float> floats_;
+  std::vector<uint32_t> labels_;
+};
+
+/// Reads the part that the planes of `sinks` name, once. The keys of those whose pixels are what the manifest says go
+/// to `read`.
+void read_part(const ExrReader& reader, std::vector<PlaneSink>& sinks, std::set<std::string>& read, IssueLog& log) {
+  const PlaneShape& shape = sinks.front().ref().shape;
+  const auto put_all = [&](int y, const std::byte* row) {
+    for (PlaneSink& sink : sinks) sink.put(y, row);
+  };
+  const std::string found = reader.read(shape, put_all, log);
+  if (found.empty()) return;
+  for (const PlaneSink& sink : sinks) {
+    const PlaneRef& ref = sink.ref();
+    if (ref.pixel_hash == found)
+      read.insert(ref.key);
+    else
+      log.add({IssueId::hash_mismatch,
+               {.file = ref.file, .part = shape.part},
+               fmt::format("expected pixelHash {} for {}, found {}", ref.pixel_hash, ref.key, found)});
+  }
+  for (const PlaneSink& sink : sinks) sink.report(log);
 }
 
 /// Centres and areas follow from idx and owner; for patches, the manifest's are compared with them.
@@ -202,100 +228,137 @@ void warn_unlisted(const ExrReader& reader, const PlaneRefs& refs, IssueLog& log
              fmt::format("expected the part {} first", preview->shape.part)});
 }
 
-/// Keys of planes that share one part and its channels are read once; the one that is stored in memory goes first.
-std::vector<std::vector<const PlaneRef*>> grouped(const PlaneRefs& refs) {
-  std::vector<std::vector<const PlaneRef*>> groups;
+/// Planes that share one part and its channels are read together.
+using PlaneGroup = std::vector<const PlaneRef*>;
+
+std::vector<PlaneGroup> grouped(const PlaneRefs& refs) {
+  std::vector<PlaneGroup> groups;
   for (const PlaneRef& ref : refs) {
-    const auto same = std::ranges::find_if(groups, [&](const auto& group) {
-      return group[0]->shape.part == ref.shape.part && group[0]->shape.channels == ref.shape.channels &&
-             group[0]->shape.type == ref.shape.type;
+    const auto same = std::ranges::find_if(groups, [&](const PlaneGroup& group) {
+      const PlaneShape& shape = group[0]->shape;
+      return shape.part == ref.shape.part && shape.channels == ref.shape.channels && shape.type == ref.shape.type &&
+             shape.width == ref.shape.width && shape.height == ref.shape.height;
     });
     if (same == groups.end())
       groups.push_back({&ref});
     else
-      same->insert(ref.key == "preview" ? same->end() : same->begin(), &ref);
+      same->push_back(&ref);
   }
   return groups;
 }
 
-/// Makes images for the planes of these keys, and lists them: called once a file has shown that it can hold them.
-using MakePlanes = std::function<std::vector<ScalePlane>(const std::set<std::string>& readable)>;
+/// Those of `groups` that the file can hold; none where it is too small for all of them.
+std::vector<PlaneGroup> readable_groups(const ExrReader& reader, const std::vector<PlaneGroup>& groups, IssueLog& log) {
+  std::vector<PlaneGroup> readable;
+  std::vector<PlaneShape> shapes;
+  for (const PlaneGroup& group : groups)
+    if (reader.holds(group[0]->shape, log)) {
+      readable.push_back(group);
+      shapes.push_back(group[0]->shape);
+    }
+  if (!reader.has_room_for(shapes, log)) readable.clear();
+  return readable;
+}
+
+/// The planes that a file is read into, and which of them have room in memory.
+struct PlaneTargets {
+  std::vector<ScalePlane> planes;
+  std::set<std::string> kept;
+};
+/// Makes room for planes of these keys: called once a file has shown that it can hold them.
+using MakeTargets = std::function<PlaneTargets(const std::set<std::string>& readable)>;
+
+/// The preview is the exemplar once more: where both are one part, its values have been looked at.
+PlaneUse use_of(const PlaneRef& ref, const PlaneGroup& group, const std::set<std::string>& kept) {
+  if (ref.key == "preview" && group.size() > 1) return PlaneUse::hashed;
+  return kept.contains(ref.key) ? PlaneUse::kept : PlaneUse::checked;
+}
 
 /// Reads the file of `refs`. `read` gets the keys of the planes that are what the manifest says.
-void read_payload(const std::filesystem::path& path, const PlaneRefs& refs, const MakePlanes& make_planes,
+void read_payload(const std::filesystem::path& path, const PlaneRefs& refs, const MakeTargets& make_targets,
                   std::set<std::string>& read, IssueLog& log) {
   if (refs.empty()) return;
   const ExrReader reader(path / refs[0].file, log);
   if (!reader.is_open()) return;
-  const std::vector<std::vector<const PlaneRef*>> groups = grouped(refs);
+  const std::vector<PlaneGroup> groups = readable_groups(reader, grouped(refs), log);
   std::set<std::string> readable;
-  for (const auto& group : groups)
-    if (reader.holds(group[0]->shape, log)) readable.insert(group[0]->key);
+  for (const PlaneGroup& group : groups)
+    for (const PlaneRef* ref : group) readable.insert(ref->key);
 
   // Only now is memory taken: the file has shown that it can hold what the manifest says.
-  const std::vector<ScalePlane> planes = make_planes(readable);
-  for (const auto& group : groups) {
-    const auto plane = std::ranges::find(planes, group[0]->key, &ScalePlane::key);
-    if (!readable.contains(group[0]->key) || plane == planes.end()) continue;
-    if (read_plane(reader, *plane, group, log))
-      for (const PlaneRef* ref : group) read.insert(ref->key);
+  const PlaneTargets targets = make_targets(readable);
+  for (const PlaneGroup& group : groups) {
+    std::vector<PlaneSink> sinks;
+    for (const PlaneRef* ref : group) {
+      const auto plane = std::ranges::find(targets.planes, ref->key, &ScalePlane::key);
+      if (plane != targets.planes.end()) sinks.emplace_back(*plane, *ref, use_of(*ref, group, targets.kept));
+    }
+    if (!sinks.empty()) read_part(reader, sinks, read, log);
   }
   warn_unlisted(reader, refs, log);
 }
 
-void read_scale(const std::filesystem::path& path, Manifest& manifest, size_t i, std::set<std::string>& read,
-                IssueLog& log) {
-  Scale& scale = manifest.bundle.scales[i];
-  const auto make_planes = [&](const std::set<std::string>& readable) {
-    allocate_planes(scale, manifest.sizes[i], manifest.fragment_counts[i], readable);
-    return planes_of(scale);
+bool is_judged(const std::string& key) { return key != "height" && !key.starts_with(kMapKey); }
+
+void read_scale(const std::filesystem::path& path, LoadedBundle& loaded, size_t i, size_t fragment_count,
+                KeptPlanes kept, IssueLog& log) {
+  Scale& scale = loaded.bundle.scales[i];
+  const auto make_targets = [&](const std::set<std::string>& readable) {
+    PlaneTargets targets;
+    for (const std::string& key : readable)
+      if (kept == KeptPlanes::all || is_judged(key)) targets.kept.insert(key);
+    allocate_planes(scale, loaded.sizes[i], fragment_count, targets.kept);
+    targets.planes = planes_of(scale, loaded.sizes[i]);
+    return targets;
   };
-  read_payload(path, manifest.refs[i], make_planes, read, log);
-  if (!read.empty()) complete_scale(scale, read, fmt::format("/scales/{}", i), log);
+  read_payload(path, loaded.refs[i], make_targets, loaded.planes[i], log);
+  if (!loaded.planes[i].empty()) complete_scale(scale, loaded.planes[i], fmt::format("/scales/{}", i), log);
 }
 
 /// The sizes of spectra and tiles are the manifest's.
-void read_noise_planes(const std::filesystem::path& path, Manifest& manifest, std::set<std::string>& read,
-                       IssueLog& log) {
-  const NoiseRefs& refs = manifest.noise_refs;
+void read_noise_planes(const std::filesystem::path& path, LoadedBundle& loaded, IssueLog& log) {
+  const NoiseRefs& refs = loaded.noise_refs;
   if (refs.spectra.empty()) return;
-  std::vector<Noise>& noises = manifest.bundle.noise->noises;
+  std::vector<Noise>& noises = loaded.bundle.noise->noises;
   const auto make_spectra = [&](const std::set<std::string>& readable) {
     for (size_t k = 0; k < noises.size(); ++k) {
       if (!readable.contains(refs.spectra[k].key)) continue;
-      for (NoiseChannel& channel : noises[k].channels) {
+      for (NoiseChannel& channel : noises[k].channels)
         channel.spectrum = Image<float>(refs.spectra[k].shape.width, refs.spectra[k].shape.height);
-        channel.equalisation.values.assign(Equalisation::kEntries, 0.0f);
-      }
     }
-    return spectrum_planes(*manifest.bundle.noise);
+    return PlaneTargets{spectrum_planes(*loaded.bundle.noise), readable};
   };
   const auto make_tiles = [&](const std::set<std::string>& readable) {
     for (size_t k = 0; k < noises.size(); ++k)
       if (readable.contains(refs.tiles[k].key))
         noises[k].tile = Image<V3f>(refs.tiles[k].shape.width, refs.tiles[k].shape.height);
-    return tile_planes(*manifest.bundle.noise);
+    return PlaneTargets{tile_planes(*loaded.bundle.noise), readable};
   };
-  read_payload(path, refs.spectra, make_spectra, read, log);
-  read_payload(path, refs.tiles, make_tiles, read, log);
+  read_payload(path, refs.spectra, make_spectra, loaded.noise_planes, log);
+  read_payload(path, refs.tiles, make_tiles, loaded.noise_planes, log);
 }
 
 }  // namespace
 
 LoadedBundle load_bundle(const std::filesystem::path& path, const ReadOptions& options, IssueLog& log) {
   LoadedBundle loaded;
-  const std::string text = manifest_text(path, log);
-  if (log.error_count() > 0) return loaded;
-  loaded.manifest = parse_json(text, log);
+  {
+    const std::string text = manifest_text(path, log);
+    if (log.error_count() > 0) return loaded;
+    loaded.manifest = parse_json(text, log);
+  }
   if (log.error_count() > 0) return loaded;
   Manifest manifest = parse_manifest(loaded.manifest, options.semantics, log);
   loaded.planes.resize(manifest.refs.size());
-  for (size_t i = 0; i < manifest.refs.size(); ++i) read_scale(path, manifest, i, loaded.planes[i], log);
-  read_noise_planes(path, manifest, loaded.noise_planes, log);
   loaded.noise_refs = std::move(manifest.noise_refs);
   loaded.refs = std::move(manifest.refs);
   loaded.sizes = std::move(manifest.sizes);
   loaded.bundle = std::move(manifest.bundle);
+  for (size_t i = 0; i < loaded.refs.size(); ++i) {
+    read_scale(path, loaded, i, manifest.fragment_counts[i], options.kept, log);
+    if (options.scale_read) options.scale_read(loaded, i);
+  }
+  read_noise_planes(path, loaded, log);
   return loaded;
 }
 

@@ -18,6 +18,7 @@
 #include <bit>
 
 #include "formats/exr_header.h"
+#include "formats/json_text.h"
 #include "formats/limits.h"
 #include "formats/sha256.h"
 
@@ -30,6 +31,8 @@ constexpr int kZipLevel = 4;  // OpenEXR's own default since 3.1.3, named so tha
 constexpr size_t kBlockBytes = size_t{8} << 20;  // of the rows handed to OpenEXR at once
 constexpr int kZipRows = 16;                     // rows in one ZIP block
 constexpr size_t kMaxZipRatio = 1100;            // deflate cannot reach 1032
+constexpr size_t kMaxShownNames = 300;           // bytes of what a file calls its parts, in a message
+constexpr size_t kMaxShownKind = 60;
 
 Imf::PixelType imf_type(PixelType type) {
   if (type == PixelType::uint) return Imf::UINT;
@@ -117,13 +120,6 @@ void write_part(Imf::OutputPart& output, const ExrPart& part) {
 
 }  // namespace
 
-size_t bytes_of(PixelType type) { return type == PixelType::half ? 2 : 4; }
-
-const char* name_of(PixelType type) {
-  if (type == PixelType::uint) return "uint";
-  return type == PixelType::half ? "half" : "float";
-}
-
 std::string pixel_hash(const ExrPart& part) {
   Sha256 hash;
   std::vector<std::byte> row(part.shape.row_bytes());
@@ -154,17 +150,38 @@ void write_exr(SafeFile& file, V2i size, const std::vector<ExrPart>& parts) {
 struct ExrReader::File {
   std::filesystem::path path;
   std::uintmax_t bytes = 0;
+  std::vector<ExrPartHeader> parts;
   std::unique_ptr<Imf::MultiPartInputFile> input;
 
   std::string name() const { return path.filename().string(); }
   Place place(const std::string& part = {}) const { return {.file = name(), .part = part}; }
   /// Number of the part, or −1.
   int find(const std::string& part) const {
-    for (int i = 0; i < input->parts(); ++i)
-      if (input->header(i).hasName() ? input->header(i).name() == part : part.empty()) return i;
-    return -1;
+    const auto found = std::ranges::find(parts, part, &ExrPartHeader::name);
+    return found == parts.end() ? -1 : static_cast<int>(found - parts.begin());
   }
+  bool may_be_opened(IssueLog& log);
 };
+
+/// Reads the headers; OpenEXR gets to see nothing but scan lines in the compression that the specification names.
+bool ExrReader::File::may_be_opened(IssueLog& log) {
+  ExrHeaders headers = read_exr_headers(path);
+  if (!headers.fault.empty()) {
+    log.add({IssueId::exr_unreadable, place(), fmt::format("expected OpenEXR headers, found {}", headers.fault)});
+    return false;
+  }
+  for (const ExrPartHeader& part : headers.parts) {
+    if (part.kind != kExrScanLines)
+      log.add({IssueId::part_kind, place(part.name),
+               fmt::format("expected {}, found {}", kExrScanLines, shortened(part.kind, kMaxShownKind))});
+    if (part.compression != kExrZip)
+      log.add({IssueId::part_compression, place(part.name),
+               fmt::format("expected ZIP, which is number {} of OpenEXR, found {}", kExrZip, part.compression)});
+  }
+  parts = std::move(headers.parts);
+  return std::ranges::all_of(
+      parts, [](const ExrPartHeader& part) { return part.kind == kExrScanLines && part.compression == kExrZip; });
+}
 
 ExrReader::ExrReader(const std::filesystem::path& path, IssueLog& log) : file_(std::make_unique<File>()) {
   file_->path = path;
@@ -174,16 +191,13 @@ ExrReader::ExrReader(const std::filesystem::path& path, IssueLog& log) : file_(s
     return;
   }
   file_->bytes = std::filesystem::file_size(path, failed);
-  if (const std::string fault = exr_header_fault(path); !fault.empty()) {
-    log.add({IssueId::exr_unreadable, file_->place(), fmt::format("expected OpenEXR headers, found {}", fault)});
-    return;
-  }
+  if (!file_->may_be_opened(log)) return;
   try {
     file_->input =
         std::make_unique<Imf::MultiPartInputFile>(path.c_str(), use_threads(), /*reconstructChunkOffsetTable=*/false);
-    if (file_->input->parts() <= kMaxParts) return;
+    if (file_->input->parts() == static_cast<int>(file_->parts.size())) return;
     log.add({IssueId::exr_unreadable, file_->place(),
-             fmt::format("expected at most {} parts, found {}", kMaxParts, file_->input->parts())});
+             fmt::format("expected {} parts, found {}", file_->parts.size(), file_->input->parts())});
   } catch (const std::exception& error) {
     log.add({IssueId::exr_unreadable, file_->place(), fmt::format("expected OpenEXR, found: {}", error.what())});
   }
@@ -197,10 +211,7 @@ bool ExrReader::is_open() const { return file_->input != nullptr; }
 
 std::vector<std::string> ExrReader::part_names() const {
   std::vector<std::string> names;
-  for (int i = 0; i < file_->input->parts(); ++i) {
-    const Imf::Header& header = file_->input->header(i);
-    names.push_back(header.hasName() ? header.name() : "");
-  }
+  for (const ExrPartHeader& part : file_->parts) names.push_back(part.name);
   return names;
 }
 
@@ -211,28 +222,38 @@ bool ExrReader::holds(const PlaneShape& shape, IssueLog& log) const {
   };
   const int number = file_->find(shape.part);
   if (number < 0)
-    return refuse(IssueId::part_missing, fmt::format("expected the part, found {}", fmt::join(part_names(), ", ")));
-  const Imf::Header& header = file_->input->header(number);
-  if (header.hasType() && header.type() != Imf::SCANLINEIMAGE)
-    return refuse(IssueId::part_kind, fmt::format("expected scanlineimage, found {}", header.type()));
-
-  const Imath::Box2i& window = header.dataWindow();
-  if (window != Imath::Box2i(V2i(0, 0), V2i(shape.width - 1, shape.height - 1)))
+    return refuse(IssueId::part_missing,
+                  fmt::format("expected the part, found {}",
+                              shortened(fmt::format("{}", fmt::join(part_names(), ", ")), kMaxShownNames)));
+  const ExrPartHeader& part = file_->parts[static_cast<size_t>(number)];
+  if (part.low != V2i(0, 0) || part.high != V2i(shape.width - 1, shape.height - 1))
     return refuse(IssueId::part_window,
                   fmt::format("expected the data window (0, 0) - ({}, {}), found ({}, {}) - ({}, {})", shape.width - 1,
-                              shape.height - 1, window.min.x, window.min.y, window.max.x, window.max.y));
+                              shape.height - 1, part.low.x, part.low.y, part.high.x, part.high.y));
+  if (part.channels.size() > kMaxPartChannels)
+    return refuse(IssueId::part_channels,
+                  fmt::format("expected at most {} channels, found {}", kMaxPartChannels, part.channels.size()));
   for (const std::string& name : shape.channels) {
-    const Imf::Channel* channel = header.channels().findChannel(name);
-    if (!channel) return refuse(IssueId::part_channels, fmt::format("expected the channel {}, found none", name));
-    if (channel->type != imf_type(shape.type) || channel->xSampling != 1 || channel->ySampling != 1)
+    const auto channel = std::ranges::find(part.channels, name, &ExrChannel::name);
+    if (channel == part.channels.end())
+      return refuse(IssueId::part_channels, fmt::format("expected the channel {}, found none", name));
+    if (channel->type != shape.type || channel->sampling != V2i(1, 1))
       return refuse(IssueId::part_channels,
                     fmt::format("expected the channel {} as {} for every texel, found another type or sampling", name,
                                 name_of(shape.type)));
   }
-  if (shape.total_bytes() / kMaxZipRatio > file_->bytes)
-    return refuse(IssueId::file_too_small, fmt::format("expected {} bytes of pixels, found a file of {} bytes",
-                                                       shape.total_bytes(), file_->bytes));
   return true;
+}
+
+bool ExrReader::has_room_for(const std::vector<PlaneShape>& shapes, IssueLog& log) const {
+  size_t promised = 0;
+  for (const PlaneShape& shape : shapes)
+    promised += static_cast<size_t>(shape.width) * static_cast<size_t>(shape.height) *
+                file_->parts[static_cast<size_t>(file_->find(shape.part))].texel_bytes();
+  if (promised / kMaxZipRatio <= file_->bytes) return true;
+  log.add({IssueId::file_too_small, file_->place(),
+           fmt::format("expected {} bytes of pixels, found a file of {} bytes", promised, file_->bytes)});
+  return false;
 }
 
 std::string ExrReader::read(const PlaneShape& shape, const std::function<void(int, const std::byte*)>& row,

@@ -10,19 +10,11 @@
 #include <vector>
 
 #include "formats/issues.h"
+#include "formats/pixel_type.h"
 #include "formats/safe_file.h"
 #include "libbake/base/torus.h"
 
 namespace texbake {
-
-/// How a value is stored. The names in the manifest are "uint", "half" and "float".
-enum class PixelType {
-  uint,     ///< 32-bit unsigned
-  half,     ///< IEEE binary16
-  float32,  ///< IEEE binary32
-};
-size_t bytes_of(PixelType type);
-const char* name_of(PixelType type);
 
 /// A plane as a file sees it: which part, which channels, how large. Its data window starts at (0, 0).
 struct PlaneShape {
@@ -54,16 +46,19 @@ void write_exr(SafeFile& file, V2i size, const std::vector<ExrPart>& parts);
 /// An OpenEXR file that is trusted in nothing.
 class ExrReader {
  public:
-  /// Reads the headers. Reports file_missing and exr_unreadable.
+  /// Reads the headers. Reports file_missing and exr_unreadable, and, before OpenEXR sees the file, part_kind and
+  /// part_compression of any of its parts.
   ExrReader(const std::filesystem::path& path, IssueLog& log);
   ~ExrReader();
   ExrReader(ExrReader&&) noexcept;
 
   bool is_open() const;
   std::vector<std::string> part_names() const;
-  /// Can the planes be read as the shapes say? Reports what stands against it: part_missing, part_kind, part_window,
-  /// part_channels, file_too_small. Nothing as large as an image is allocated before this has said yes.
+  /// Can the plane be read as its shape says? Reports what stands against it: part_missing, part_window, part_channels.
   bool holds(const PlaneShape& shape, IssueLog& log) const;
+  /// Is the file large enough for all of `shapes`, which it holds, when each is read once? Else reports file_too_small.
+  /// Nothing as large as an image is allocated before this has said yes.
+  bool has_room_for(const std::vector<PlaneShape>& shapes, IssueLog& log) const;
   /// Calls `row` for each row from the top, and returns the hash of the canonical bytes; empty after exr_unreadable.
   std::string read(const PlaneShape& shape, const std::function<void(int y, const std::byte* row)>& row,
                    IssueLog& log) const;

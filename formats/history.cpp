@@ -14,9 +14,13 @@ namespace {
 
 constexpr const char* kPlanes = "planes.";
 
-bool writes(const std::string& verb, const std::string& member) {
-  const StageRow* row = find_row(verb);
-  return row && std::ranges::find(row->writes, member) != row->writes.end();
+/// By scale and member, the last stage that writes it.
+std::map<std::pair<std::string, std::string>, size_t> last_writers(const std::vector<Stage>& stages) {
+  std::map<std::pair<std::string, std::string>, size_t> last;
+  for (size_t i = 0; i < stages.size(); ++i)
+    if (const StageRow* row = find_row(stages[i].verb))
+      for (const std::string& member : row->writes) last[{stages[i].scale, member}] = i;
+  return last;
 }
 
 void erase_files(Json& json) {
@@ -25,8 +29,8 @@ void erase_files(Json& json) {
     for (Json& member : json) erase_files(member);
 }
 
-bool is_about(const Stage& stage, const Json& scale) {
-  return stage.scale.empty() || (scale.is_object() && scale.value("name", Json()) == stage.scale);
+bool is_about(const std::string& name, const Json& scale) {
+  return name.empty() || (scale.is_object() && scale.value("name", Json()) == name);
 }
 
 Json restricted(const Json& scale, const std::vector<std::string>& members) {
@@ -42,19 +46,19 @@ Json restricted(const Json& scale, const std::vector<std::string>& members) {
   return part;
 }
 
+std::vector<std::string> owned(const std::vector<Stage>& stages,
+                               const std::map<std::pair<std::string, std::string>, size_t>& last_writer, size_t at) {
+  std::vector<std::string> members;
+  if (const StageRow* row = find_row(stages[at].verb))
+    for (const std::string& member : row->writes)
+      if (last_writer.at({stages[at].scale, member}) == at) members.push_back(member);
+  return members;
+}
+
 }  // namespace
 
 std::vector<std::string> owned_members(const std::vector<Stage>& stages, size_t at) {
-  std::vector<std::string> owned;
-  const StageRow* row = find_row(stages[at].verb);
-  if (!row) return owned;
-  for (const std::string& member : row->writes) {
-    const bool replaced =
-        std::any_of(stages.begin() + static_cast<ptrdiff_t>(at) + 1, stages.end(),
-                    [&](const Stage& later) { return later.scale == stages[at].scale && writes(later.verb, member); });
-    if (!replaced) owned.push_back(member);
-  }
-  return owned;
+  return owned(stages, last_writers(stages), at);
 }
 
 Json history_json(const StateJson& state) {
@@ -64,36 +68,45 @@ Json history_json(const StateJson& state) {
   return scales;
 }
 
-std::string members_hash(const Json& scales, const Stage& stage, const std::vector<std::string>& members) {
-  Json parts = Json::array();
-  for (const Json& scale : scales)
-    if (is_about(stage, scale)) parts.push_back(restricted(scale, members));
-  return sha256(compact_json(parts));
+HistoryHashes::HistoryHashes(const Json& scales, const std::vector<SourceFile>& sources,
+                             const std::vector<Stage>& stages)
+    : scales_(scales), sources_(sources), stages_(stages), last_writer_(last_writers(stages)) {}
+
+std::string HistoryHashes::input(size_t at) {
+  const StageRow* row = find_row(stages_[at].verb);
+  if (!row) return stages_[at].input;
+  return row == &first_stage() ? of_sources(stages_[at].scale) : of_members(stages_[at].scale, row->reads);
 }
 
-std::string input_hash(const Json& scales, const std::vector<SourceFile>& sources, const std::vector<Stage>& stages,
-                       size_t at) {
-  const Stage& stage = stages[at];
-  const StageRow* row = find_row(stage.verb);
-  if (!row) return stage.input;
-  if (row != &first_stage()) return members_hash(scales, stage, row->reads);
+std::string HistoryHashes::output(size_t at) {
+  if (!find_row(stages_[at].verb)) return stages_[at].output;
+  return of_members(stages_[at].scale, owned(stages_, last_writer_, at));
+}
+
+std::string HistoryHashes::of_sources(const std::string& scale) {
   std::string lines;
-  for (const SourceFile& source : sources)
-    if (source.scale == stage.scale && source.role != kClicksRole)
+  for (const SourceFile& source : sources_)
+    if (source.scale == scale && source.role != kClicksRole)
       lines += fmt::format("{} {}\n", source.role, source.sha256);
   return sha256(lines);
 }
 
-std::string output_hash(const Json& scales, const std::vector<Stage>& stages, size_t at) {
-  return find_row(stages[at].verb) ? members_hash(scales, stages[at], owned_members(stages, at)) : stages[at].output;
+std::string HistoryHashes::of_members(const std::string& scale, const Members& members) {
+  std::string& hash = hashes_[{scale, members}];
+  if (!hash.empty()) return hash;
+  Json parts = Json::array();
+  for (const Json& one : scales_)
+    if (is_about(scale, one)) parts.push_back(restricted(one, members));
+  return hash = sha256(compact_json(parts));
 }
 
 void record_stage(Bundle& bundle, Stage stage) {
   const Json scales = history_json(state_json(bundle, plane_refs(bundle)));
   bundle.stages.push_back(std::move(stage));
   const size_t last = bundle.stages.size() - 1;
-  bundle.stages[last].input = input_hash(scales, bundle.sources, bundle.stages, last);
-  for (size_t i = 0; i <= last; ++i) bundle.stages[i].output = output_hash(scales, bundle.stages, i);
+  HistoryHashes hashes(scales, bundle.sources, bundle.stages);
+  bundle.stages[last].input = hashes.input(last);
+  for (size_t i = 0; i <= last; ++i) bundle.stages[i].output = hashes.output(i);
 }
 
 }  // namespace texbake

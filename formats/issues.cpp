@@ -26,7 +26,8 @@ constexpr IssueKind kKinds[] = {
      "check the permissions and the disk"},
     {manifest_too_large, "manifest-too-large", kError, kData, "bundle.json is larger than 64 MiB", kRestore},
     {json_syntax, "json-syntax", kError, kData, "bundle.json is not JSON in UTF-8", kRestore},
-    {json_too_deep, "json-too-deep", kError, kData, "bundle.json nests deeper than 64 levels", kRestore},
+    {json_too_deep, "json-too-deep", kError, kData,
+     "bundle.json nests deeper than 64 levels, or an object has more than 4096 members", kRestore},
     {json_duplicate_key, "json-duplicate-key", kError, kData, "an object has the same key twice", kRestore},
     {stray_file, "stray-file", kWarning, kData, "the folder holds a file that the manifest does not name",
      "remove it; files left by killed writers are removed the next time texbake writes this bundle"},
@@ -67,6 +68,7 @@ constexpr IssueKind kKinds[] = {
     {part_unlisted, "part-unlisted", kWarning, kData, "a payload file has a part that no plane names", kBakeAgain},
     {preview_not_first, "preview-not-first", kWarning, kData, "the first part of a payload file is not the preview",
      kBakeAgain},
+    {part_compression, "part-compression", kError, kData, "a part is compressed by another method than ZIP", kRestore},
 
     {not_finite, "not-finite", kError, kData, "texels are NaN or infinite", kBakeAgain},
     {color_range, "color-range", kError, kData, "colors are negative", kBakeAgain},
@@ -181,16 +183,29 @@ void IssueLog::add(Issue issue) {
   const bool is_error = issue.kind().severity == kError;
   if (is_error && on_error_ == OnError::throw_first)
     throw Error(issue.kind().error, fmt::format("{}: {}", bundle_name_, text(issue)));
+  if (!shows_more(issue.id)) return count_more(issue.id, issue.count);
   if (is_error) ++error_count_;
+  kept_[issue.id].push_back(issues_.size());
   issues_.push_back(std::move(issue));
 }
 
+bool IssueLog::shows_more(IssueId id) const {
+  const auto kept = kept_.find(id);
+  return kept == kept_.end() || kept->second.size() < kMaxIssuesOfKind;
+}
+
+void IssueLog::count_more(IssueId id, uint64_t count) {
+  Issue& last = issues_[kept_.at(id).back()];
+  last.count += count;
+  if (last.kind().severity == kError) dropped_errors_ = true;
+}
+
 bool IssueLog::error_below(const std::string& pointer) const {
-  return std::ranges::any_of(issues_, [&](const Issue& issue) {
-    const std::string& at = issue.where.pointer;
-    return issue.kind().severity == kError && at.starts_with(pointer) &&
-           (at.size() == pointer.size() || at[pointer.size()] == '/');
-  });
+  return dropped_errors_ || std::ranges::any_of(issues_, [&](const Issue& issue) {
+           const std::string& at = issue.where.pointer;
+           return issue.kind().severity == kError && at.starts_with(pointer) &&
+                  (at.size() == pointer.size() || at[pointer.size()] == '/');
+         });
 }
 
 }  // namespace texbake

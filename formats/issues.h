@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -50,6 +51,7 @@ enum class IssueId : int {
   file_name_hash = 309,
   part_unlisted = 310,
   preview_not_first = 311,
+  part_compression = 312,
 
   not_finite = 401,
   color_range = 402,
@@ -139,7 +141,10 @@ std::string text(const Issue& issue);
 Json to_json(const Issue& issue);
 bool has_errors(std::span<const Issue> issues);
 
-/// Where checks leave what they find: a list, or, when reading, an exception at the first error.
+inline constexpr size_t kMaxIssuesOfKind = 200;  ///< that a log keeps: whoever made the bundle may want millions
+
+/// Where checks leave what they find: a list, or, when reading, an exception at the first error. Of each kind the first
+/// kMaxIssuesOfKind are kept; the last of these counts the others.
 class IssueLog {
  public:
   enum class OnError { collect, throw_first };
@@ -147,8 +152,12 @@ class IssueLog {
 
   /// Throws Error of the issue's kind when errors throw and this is one.
   void add(Issue issue);
+  /// Would another issue of this kind be kept? Else `count_more` does what `add` would do, at no cost.
+  bool shows_more(IssueId id) const;
+  /// One more of a kind of which no more are kept.
+  void count_more(IssueId id, uint64_t count = 1);
   const std::vector<Issue>& issues() const { return issues_; }
-  /// Is there an error at `pointer` or below it?
+  /// Is there an error at `pointer` or below it? Once an error has not been kept, it may be anywhere: yes.
   bool error_below(const std::string& pointer) const;
   size_t error_count() const { return error_count_; }
 
@@ -156,7 +165,9 @@ class IssueLog {
   std::string bundle_name_;
   OnError on_error_;
   std::vector<Issue> issues_;
+  std::map<IssueId, std::vector<size_t>> kept_;  ///< of each kind, where in issues_
   size_t error_count_ = 0;
+  bool dropped_errors_ = false;
 };
 
 }  // namespace texbake

@@ -14,6 +14,7 @@ namespace texbake {
 namespace {
 
 constexpr size_t kColumns = 120;
+constexpr size_t kMaxNameInMessage = 120;  // bytes
 
 template <class Number>
 std::string shortest_digits(Number value) {
@@ -92,8 +93,11 @@ class StrictWatch {
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
-      throw Refused{IssueId::json_duplicate_key,
-                    fmt::format("expected each key only once, found {} twice", scalar_text(parsed))};
+      throw Refused{IssueId::json_duplicate_key, fmt::format("expected each key only once, found {} twice",
+                                                             shortened(scalar_text(parsed), kMaxNameInMessage))};
+    if (event == Event::key && keys_.back().size() > kMaxMembers)
+      throw Refused{IssueId::json_too_deep,
+                    fmt::format("expected at most {} members of an object, found more", kMaxMembers)};
     return true;
   }
 
@@ -141,6 +145,17 @@ std::string compact_json(const Json& json) {
   std::string text;
   append_line(json, "", text);
   return text;
+}
+
+std::string shortened(std::string text, size_t bytes) {
+  if (text.size() <= bytes) return text;
+  while (bytes > 0 && (text[bytes] & 0xC0) == 0x80) --bytes;
+  text.resize(bytes);
+  return text + "...";
+}
+
+std::string pointer_below(const std::string& pointer, const std::string& name) {
+  return pointer + (Json::json_pointer() / shortened(name, kMaxNameInMessage)).to_string();
 }
 
 }  // namespace texbake

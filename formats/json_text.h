@@ -29,4 +29,9 @@ std::string print_json(const Json& json);
 /// The same tokens without any white space.
 std::string compact_json(const Json& json);
 
+/// Text of a stranger in a message: at most `bytes` of UTF-8, no character cut in two, and "..." if there was more.
+std::string shortened(std::string text, size_t bytes);
+/// `pointer` with one more step, to the member `name`; a name that is too long for a message is shortened.
+std::string pointer_below(const std::string& pointer, const std::string& name);
+
 }  // namespace texbake

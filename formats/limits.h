@@ -8,6 +8,8 @@ namespace texbake {
 inline constexpr int kMaxTileSize = 16384;                     ///< texels on each axis
 inline constexpr size_t kMaxManifestBytes = size_t{64} << 20;  ///< of bundle.json
 inline constexpr int kMaxManifestDepth = 64;                   ///< nested arrays and objects
+inline constexpr size_t kMaxMembers = 4096;                    ///< of one object in it: looked up one by one
 inline constexpr int kMaxParts = 256;                          ///< in one EXR file
+inline constexpr size_t kMaxPartChannels = 4;                  ///< in one part
 
 }  // namespace texbake

@@ -159,6 +159,8 @@ class ScaleReader {
     for (const auto& [key, plane] : json_["planes"].items()) {
       const bool is_table = key == "fragmentClass" || key == "fragmentColor";
       if (key == kMasksKey) scale_.masks.resize(plane["channels"].size());
+      if (key == "structure") scale_.structure.emplace();
+      if (key == "height") scale_.height.emplace();
       if (known.contains(key))
         add_ref(key, plane, "/planes/" + key, is_table ? table_size(fragment_count_, size_) : size_);
     }

@@ -77,7 +77,7 @@ void warn_unknown_members(const Json& object, const std::string& pointer, const 
                           IssueLog& log) {
   for (const auto& [key, value] : object.items())
     if (!known.contains(key))
-      log.add({IssueId::member_unknown, {.pointer = pointer + "/" + key}, "expected a member of version 1.0"});
+      log.add({IssueId::member_unknown, {.pointer = pointer_below(pointer, key)}, "expected a member of version 1.0"});
 }
 
 }  // namespace texbake

@@ -176,12 +176,14 @@ ScalePlane palette_preview(const PrincipalVariation& colors) {
   return result;
 }
 
+/// The exemplar once more, for those who read no manifest: written, and when it is read, checked and left.
+ScalePlane stored_preview(const Image<V3f>& exemplar) { return color_plane("preview", "preview", exemplar); }
+
 template <class ScaleT>
-std::vector<ScalePlane> list_planes(ScaleT& scale) {
-  const V2i tile = scale.size();
+std::vector<ScalePlane> list_planes(ScaleT& scale, V2i tile) {
   std::vector<ScalePlane> planes;
   if (scale.stores_exemplar) {
-    planes.push_back(color_plane("preview", "preview", scale.exemplar));
+    planes.push_back(stored_preview(scale.exemplar));
     planes.push_back(color_plane("exemplar", "preview", scale.exemplar));
   } else if (scale.colors) {
     planes.push_back(palette_preview(*scale.colors));
@@ -212,8 +214,8 @@ std::vector<ScalePlane> list_planes(ScaleT& scale) {
 
 }  // namespace
 
-std::vector<ScalePlane> planes_of(const Scale& scale) { return list_planes(scale); }
-std::vector<ScalePlane> planes_of(Scale& scale) { return list_planes(scale); }
+std::vector<ScalePlane> planes_of(const Scale& scale) { return list_planes(scale, scale.size()); }
+std::vector<ScalePlane> planes_of(Scale& scale, V2i size) { return list_planes(scale, size); }
 
 void allocate_planes(Scale& scale, V2i size, size_t fragment_count, const std::set<std::string>& keys) {
   const auto allocate = [&](const char* key, auto& image) {
@@ -223,17 +225,20 @@ void allocate_planes(Scale& scale, V2i size, size_t fragment_count, const std::s
     allocate(key, partition.idx);
     allocate(key, partition.owner);
   };
-  scale.exemplar = Image<V3f>(size.x, size.y);
-  if (keys.contains("structure")) allocate("structure", scale.structure.emplace());
+  allocate("exemplar", scale.exemplar);
+  if (scale.structure) allocate("structure", *scale.structure);
   for (Image<float>& mask : scale.masks) allocate(kMasksKey, mask);
-  if (keys.contains("height")) allocate("height", scale.height.emplace());
+  if (scale.height) allocate("height", *scale.height);
   if (scale.colors) allocate("index", scale.colors->index);
   if (scale.colors) allocate("variation", scale.colors->variation);
   if (scale.fragments) {
     allocate_partition("fragment", scale.fragments->partition);
-    scale.fragments->partition.centers.assign(fragment_count, V2i(0));
-    scale.fragments->partition.areas_px.assign(fragment_count, 0);
-    scale.fragments->fragments.resize(fragment_count);
+    if (keys.contains("fragment")) {
+      scale.fragments->partition.centers.assign(fragment_count, V2i(0));
+      scale.fragments->partition.areas_px.assign(fragment_count, 0);
+    }
+    if (keys.contains("fragmentClass") || keys.contains("fragmentColor"))
+      scale.fragments->fragments.resize(fragment_count);
   }
   if (scale.patches) allocate_partition("patch", scale.patches->partition);
   for (Map& map : scale.maps)
@@ -241,7 +246,7 @@ void allocate_planes(Scale& scale, V2i size, size_t fragment_count, const std::s
 }
 
 V2i table_size(size_t count, V2i tile) {
-  const size_t width = static_cast<size_t>(tile.x);
+  const size_t width = static_cast<size_t>(std::max(tile.x, 1));
   return {tile.x, static_cast<int>(std::max<size_t>(1, (count + width - 1) / width))};
 }
 

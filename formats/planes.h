@@ -43,10 +43,11 @@ inline constexpr const char* kMasksKey = "masks";
 
 /// The planes that a scale has, in the order in which they are written. `exemplar` shares the part `preview`.
 std::vector<ScalePlane> planes_of(const Scale& scale);
-std::vector<ScalePlane> planes_of(Scale& scale);
+/// The same to be filled, with a tile of `size`: by those that `allocate_planes` has made room for.
+std::vector<ScalePlane> planes_of(Scale& scale, V2i size);
 
-/// Makes the images of `size` and the tables that the planes `keys` fill; `scale.maps` and `scale.masks` have their
-/// number already.
+/// Makes the images of `size` and the tables that the planes `keys` fill, and no others; `scale.maps` and `scale.masks`
+/// have their number already.
 void allocate_planes(Scale& scale, V2i size, size_t fragment_count, const std::set<std::string>& keys);
 
 /// The data window of a table of `count` rows stored as a plane: as wide as the tile, filled by rows.

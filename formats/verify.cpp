@@ -42,14 +42,32 @@ void check_scale(const LoadedBundle& loaded, size_t i, IssueLog& log) {
   if (scale.contents) check_contents(test, log);
 }
 
+/// Frees the pixels of a scale that has been judged. What it has, it still seems to have.
+void release(Scale& scale) {
+  const auto release_partition = [](Partition& partition) { partition = Partition(); };
+  scale.exemplar = {};
+  if (scale.structure) *scale.structure = {};
+  for (Image<float>& mask : scale.masks) mask = {};
+  if (scale.colors) scale.colors->index = {}, scale.colors->variation = {};
+  if (scale.fragments) release_partition(scale.fragments->partition), scale.fragments->fragments = {};
+  if (scale.patches) release_partition(scale.patches->partition);
+  if (scale.contents) scale.contents->contents = {};
+}
+
+/// One scale after the other is in memory; the finest stays for its noises.
 void verify(const fs::path& path, IssueLog& log) {
-  const LoadedBundle loaded = load_bundle(path, {}, log);
+  const auto judge = [&log](LoadedBundle& loaded, size_t i) {
+    check_scale(loaded, i, log);
+    check_figures(loaded.bundle, i, log);
+    const bool is_finest = i + 1 == loaded.bundle.scales.size();
+    if (!is_finest || !loaded.bundle.noise) release(loaded.bundle.scales[i]);
+  };
+  const LoadedBundle loaded = load_bundle(path, {.kept = KeptPlanes::judged, .scale_read = judge}, log);
   if (loaded.refs.empty()) return;
-  for (size_t i = 0; i < loaded.refs.size(); ++i) check_scale(loaded, i, log);
   check_noise(loaded, log);
   check_state(loaded, log);
   check_stages(loaded.bundle, log);
-  check_figures(loaded.bundle, log);
+  check_nulls(loaded.bundle, log);
   warn_stray_files(path, loaded, log);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "formats/history.h"
 #include "formats/json_text.h"
@@ -24,20 +25,20 @@ Json countable_figures(const std::string& verb, const Scale& scale) {
   return Json::object();
 }
 
-void find_nulls(const Json& json, const Json::json_pointer& pointer, IssueLog& log) {
+void find_nulls(const Json& json, const std::string& pointer, IssueLog& log) {
   if (json.is_null())
-    log.add({IssueId::figure_implausible, {.pointer = pointer.to_string()}, "expected a finite number, found null"});
+    log.add({IssueId::figure_implausible, {.pointer = pointer}, "expected a finite number, found null"});
   if (!json.is_structured()) return;
-  for (const auto& [key, value] : json.items()) find_nulls(value, pointer / key, log);
+  for (const auto& [key, value] : json.items())
+    if (value.is_null() || value.is_structured()) find_nulls(value, pointer_below(pointer, key), log);
 }
 
-void check_counts(const Stage& stage, const Scale& scale, const std::string& pointer, IssueLog& log) {
-  const Json countable = countable_figures(stage.verb, scale);
+void check_counts(const Stage& stage, const Json& countable, const std::string& pointer, IssueLog& log) {
   for (const auto& [key, counted] : countable.items()) {
     const auto figure = stage.figures.find(key);
     if (figure != stage.figures.end() && figure->is_number() && *figure != counted)
       log.add({IssueId::figure_implausible,
-               {.pointer = fmt::format("{}/{}", pointer, key)},
+               {.pointer = pointer_below(pointer, key)},
                fmt::format("expected {}, found {}", compact_json(counted), compact_json(*figure))});
   }
 }
@@ -54,14 +55,15 @@ void check_state(const LoadedBundle& loaded, IssueLog& log) {
   const Bundle& bundle = loaded.bundle;
   if (!loaded.manifest.contains("scales")) return;
   const Json scales = history_json({loaded.manifest["scales"], loaded.manifest.value("noise", Json())});
+  HistoryHashes hashes(scales, bundle.sources, bundle.stages);
   for (size_t i = 0; i < bundle.stages.size(); ++i) {
     const Stage& stage = bundle.stages[i];
-    const std::string output = output_hash(scales, bundle.stages, i);
+    const std::string output = hashes.output(i);
     if (stage.output != output)
       log.add({IssueId::state_mismatch,
                {.pointer = fmt::format("/stages/{}/output", i)},
                fmt::format("{}: expected {}, found {}", stage.verb, output, stage.output)});
-    const std::string input = input_hash(scales, bundle.sources, bundle.stages, i);
+    const std::string input = hashes.input(i);
     if (stage.input != input)
       log.add({IssueId::chain_broken,
                {.pointer = fmt::format("/stages/{}/input", i)},
@@ -79,14 +81,19 @@ void check_stages(const Bundle& bundle, IssueLog& log) {
                              row.result.name, scale.name)});
 }
 
-void check_figures(const Bundle& bundle, IssueLog& log) {
+void check_figures(const Bundle& bundle, size_t scale, IssueLog& log) {
+  std::map<std::string, Json> countable;  // by verb: counting costs a pass over all shapes, and stages may be many
   for (size_t i = 0; i < bundle.stages.size(); ++i) {
-    const std::string pointer = fmt::format("/stages/{}/figures", i);
-    find_nulls(bundle.stages[i].figures, Json::json_pointer(pointer), log);
-    for (const Scale& scale : bundle.scales)
-      if (bundle.scales.size() == 1 || bundle.stages[i].scale == scale.name)
-        check_counts(bundle.stages[i], scale, pointer, log);
+    const Stage& stage = bundle.stages[i];
+    if (bundle.scales.size() > 1 && stage.scale != bundle.scales[scale].name) continue;
+    if (!countable.contains(stage.verb)) countable[stage.verb] = countable_figures(stage.verb, bundle.scales[scale]);
+    check_counts(stage, countable[stage.verb], fmt::format("/stages/{}/figures", i), log);
   }
+}
+
+void check_nulls(const Bundle& bundle, IssueLog& log) {
+  for (size_t i = 0; i < bundle.stages.size(); ++i)
+    find_nulls(bundle.stages[i].figures, fmt::format("/stages/{}/figures", i), log);
 }
 
 }  // namespace texbake

@@ -9,7 +9,9 @@ namespace texbake {
 void check_state(const LoadedBundle& loaded, IssueLog& log);
 /// Every plane and table has a stage that makes it.
 void check_stages(const Bundle& bundle, IssueLog& log);
-/// Recorded figures are numbers, and agree with what can be counted.
-void check_figures(const Bundle& bundle, IssueLog& log);
+/// Recorded figures of `scale` agree with what can be counted in it.
+void check_figures(const Bundle& bundle, size_t scale, IssueLog& log);
+/// Recorded figures are numbers.
+void check_nulls(const Bundle& bundle, IssueLog& log);
 
 }  // namespace texbake

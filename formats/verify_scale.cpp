@@ -97,7 +97,7 @@ void check_whole_fragments(const ScaleUnderTest& test, IssueLog& log) {
   const Image<uint32_t>& fragment = test.scale.fragments->partition.idx;
   const Image<uint32_t>& patch = test.scale.patches->partition.idx;
   constexpr uint32_t kUnseen = UINT32_MAX;
-  std::vector<uint32_t> patch_of(test.scale.fragments->fragments.size(), kUnseen);
+  std::vector<uint32_t> patch_of(test.scale.fragments->partition.centers.size(), kUnseen);
   Issue issue{IssueId::fragment_split, {.file = test.file, .part = "patch"}, "", 0};
   for (int y = 0; y < patch.height(); ++y)
     for (int x = 0; x < patch.width(); ++x) {

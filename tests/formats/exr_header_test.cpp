@@ -12,7 +12,7 @@ namespace {
 TEST(ExrHeader, OfAPayloadIsSound) {
   const TemporaryFolder folder;
   write_bundle(bundle_with_everything(), folder / "a.texbundle");
-  EXPECT_EQ(exr_header_fault(payload_of(folder / "a.texbundle")), "");
+  EXPECT_EQ(read_exr_headers(payload_of(folder / "a.texbundle")).fault, "");
 }
 
 TEST(ExrHeader, AnAttributeThatClaimsMoreThanTheFileIsRefusedUnread) {
@@ -24,7 +24,7 @@ TEST(ExrHeader, AnAttributeThatClaimsMoreThanTheFileIsRefusedUnread) {
   const size_t size_at = bytes.find(attribute) + attribute.size();
   bytes.replace(size_at, 4, std::string("\xff\xff\xff\x7f", 4));
   write_text(payload, bytes);
-  EXPECT_THAT(exr_header_fault(payload), testing::HasSubstr("attribute \"name\" of 2147483647 bytes"));
+  EXPECT_THAT(read_exr_headers(payload).fault, testing::HasSubstr("attribute \"name\" of 2147483647 bytes"));
   EXPECT_EQ(verify_bundle(folder / "a.texbundle").at(0).id, IssueId::exr_unreadable);
 }
 
@@ -32,7 +32,7 @@ TEST(ExrHeader, WhatIsNoOpenExrIsRefused) {
   const TemporaryFolder folder;
   for (const char* text : {"", "v/1", "\x89PNG\r\n", "v/1\x01 and then names that never end"}) {
     write_text(folder / "a.exr", text);
-    EXPECT_NE(exr_header_fault(folder / "a.exr"), "") << text;
+    EXPECT_NE(read_exr_headers(folder / "a.exr").fault, "") << text;
   }
 }
 

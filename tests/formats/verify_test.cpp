@@ -1,6 +1,7 @@
 #include "formats/verify.h"
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfCompression.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfPartType.h>
@@ -91,6 +92,13 @@ void write_tiled(const fs::path& folder) {
   const Imf::MultiPartOutputFile file(payload_of(folder).c_str(), &header, 1);
 }
 
+/// The preview alone, compressed in another way.
+void write_compressed(const fs::path& path, Imf::Compression compression) {
+  Imf::Header header = imf_header("preview", 64, Imf::SCANLINEIMAGE.c_str());
+  header.compression() = compression;
+  const Imf::MultiPartOutputFile file(path.c_str(), &header, 1);
+}
+
 void cut_to(const fs::path& file, double share) {
   fs::resize_file(file, static_cast<uintmax_t>(share * static_cast<double>(fs::file_size(file))));
 }
@@ -168,6 +176,8 @@ std::vector<Fault> faults_of_the_payload() {
              rewrite_payload(path, [](auto& parts) { parts.erase(parts.begin() + number_of(parts, "patch")); });
            }},
       {.id = part_kind, .files = write_tiled},
+      {.id = part_compression,
+       .files = [](const fs::path& path) { write_compressed(payload_of(path), Imf::PIZ_COMPRESSION); }},
       {.id = part_window,
        .files =
            [](const fs::path& path) {
@@ -450,6 +460,20 @@ TEST(Verify, PointsAtTheMemberThatTheSchemaForbids) {
   EXPECT_EQ(issues[0].id, schema_violation);
   EXPECT_EQ(issues[0].where.pointer, "/scales/0/contents/7/2/rotationEighths");
   EXPECT_THAT(issues[0].detail, testing::HasSubstr("found 8"));
+}
+
+TEST(Verify, OpenExrSeesNoOtherCompressionThanZip) {
+  const TemporaryFolder folder;
+  copy_sound(folder / "a.texbundle");
+  for (int number = 0; number < Imf::NUM_COMPRESSION_METHODS; ++number) {
+    const auto compression = static_cast<Imf::Compression>(number);
+    write_compressed(payload_of(folder / "a.texbundle"), compression);
+    std::set<IssueId> of_the_scale;
+    for (const Issue& issue : verify_bundle(folder / "a.texbundle"))
+      if (issue.where.file.starts_with("fine-")) of_the_scale.insert(issue.id);
+    EXPECT_EQ(of_the_scale.contains(part_compression), compression != Imf::ZIP_COMPRESSION) << number;
+    EXPECT_EQ(of_the_scale.contains(part_missing), compression == Imf::ZIP_COMPRESSION) << number << ": was opened";
+  }
 }
 
 TEST(Verify, APayloadCutAtAnyPlaceIsAnIssueAndNeverACrash) {
