@@ -3,11 +3,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <ctime>
 #include <mutex>
@@ -73,9 +75,40 @@ bool write_all(int descriptor, const char* bytes, size_t count) {
   return true;
 }
 
+std::string temporary_prefix(const std::filesystem::path& final_path) {
+  return fmt::format(".{}{}", final_path.filename().string(), kTemporarySuffix);
+}
+
 std::filesystem::path temporary_beside(const std::filesystem::path& final_path) {
-  return final_path.parent_path() /
-         fmt::format(".{}{}{}", final_path.filename().string(), kTemporarySuffix, ::getpid());
+  return final_path.parent_path() / fmt::format("{}{}", temporary_prefix(final_path), ::getpid());
+}
+
+/// Has the writer of this temporary file ended? It may live on another machine that shares the folder: then its lock
+/// tells.
+bool is_orphan(const std::filesystem::path& path, std::string_view process) {
+  pid_t number = 0;
+  const auto [end, error] = std::from_chars(process.data(), process.data() + process.size(), number);
+  if (error != std::errc() || number <= 0 || ::kill(number, 0) == 0 || errno != ESRCH) return false;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) return false;
+  const bool is_free = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+  ::close(descriptor);
+  return is_free;
+}
+
+/// Removes what killed writers of `final_path` have left beside it. Failing to tidy up harms nobody.
+void remove_orphans(const std::filesystem::path& final_path) {
+  const std::string prefix = temporary_prefix(final_path);
+  const std::filesystem::path folder = final_path.has_parent_path() ? final_path.parent_path() : ".";
+  std::error_code ignored;
+  std::vector<std::filesystem::path> orphans;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(prefix) && is_temporary_name(name) && entry.is_regular_file(ignored) &&
+        is_orphan(entry.path(), std::string_view(name).substr(prefix.size())))
+      orphans.push_back(entry.path());
+  }
+  for (const std::filesystem::path& orphan : orphans) std::filesystem::remove(orphan, ignored);
 }
 
 }  // namespace
@@ -108,6 +141,8 @@ SafeFile::SafeFile(std::filesystem::path final_path, StepHook hook)
   if (hook_) hook_(fmt::format("create {}", final_path_.filename().string()));
   descriptor_ = ::open(unfinished_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (descriptor_ < 0) fail("create");
+  ::flock(descriptor_, LOCK_EX | LOCK_NB);  // what is locked is not taken for an orphan; not every disk has locks
+  remove_orphans(final_path_);
   buffer_.reserve(kBufferBytes);
 }
 

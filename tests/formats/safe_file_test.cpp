@@ -6,9 +6,12 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdarg>
+#include <cstring>
 #include <fstream>
 
 #include "libbake/base/error.h"
@@ -30,16 +33,29 @@ class DiskWatch {
   static inline DiskWatch* current = nullptr;
   std::vector<std::string> calls;  ///< "sync PATH (BYTES)", "sync PATH/", "rename PATH"
   std::string fails;               ///< a call that begins like this fails; "": none
+  int fails_at = -1;               ///< the call of this number fails, of all kinds; −1: none
+  int reason = EIO;                ///< errno of a call that fails
+  int count = 0;                   ///< of calls, with those to create and to write, which are not noted
 };
+
+/// False where a call is to fail.
+bool count_call() {
+  DiskWatch* watch = DiskWatch::current;
+  if (!watch || watch->count++ != watch->fails_at) return true;
+  errno = watch->reason;
+  return false;
+}
 
 /// Notes the call; false where it is to fail.
 bool note_call(const std::string& call) {
   DiskWatch* watch = DiskWatch::current;
   if (!watch) return true;
   watch->calls.push_back(call);
-  if (watch->fails.empty() || !call.starts_with(watch->fails)) return true;
-  errno = EIO;
-  return false;
+  if (!watch->fails.empty() && call.starts_with(watch->fails)) {
+    errno = watch->reason;
+    return false;
+  }
+  return count_call();
 }
 
 std::string sync_text(int descriptor) {
@@ -60,6 +76,21 @@ extern "C" int fsync(int descriptor) {
 extern "C" int rename(const char* from, const char* to) noexcept {
   if (!texbake::note_call(std::string("rename ") + to)) return -1;
   return static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0u));
+}
+
+extern "C" ssize_t write(int descriptor, const void* bytes, size_t count) {
+  return texbake::count_call() ? syscall(SYS_write, descriptor, bytes, count) : -1;
+}
+extern "C" int open(const char* path, int flags, ...) {
+  va_list arguments;
+  va_start(arguments, flags);
+  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+  va_end(arguments);
+  if ((flags & O_CREAT) != 0 && !texbake::count_call()) return -1;
+  return static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+}
+extern "C" int mkdir(const char* path, mode_t mode) noexcept {
+  return texbake::count_call() ? static_cast<int>(syscall(SYS_mkdirat, AT_FDCWD, path, mode)) : -1;
 }
 
 namespace texbake {
@@ -160,6 +191,104 @@ TEST(SafeFile, ANewBundleIsOnTheDiskBeforeItHasItsName) {
   }
   EXPECT_THAT(named, testing::IsEmpty());
   EXPECT_EQ(synced, folder.path().string() + "/");
+}
+
+/// Makes the call of each number fail once, for each of the reasons for which disks refuse, until `action` gets by
+/// without that call. `check` looks at what is left.
+template <class Action, class Check>
+void fail_each_call_once(const Action& action, const Check& check) {
+  for (const int reason : {ENOSPC, EDQUOT, EIO}) {
+    bool failed = true;
+    int number = 0;
+    for (; failed && number < 1000; ++number) {
+      SCOPED_TRACE(std::to_string(number) + ": " + std::strerror(reason));
+      {
+        DiskWatch watch;
+        watch.fails_at = number;
+        watch.reason = reason;
+        try {
+          action();
+        } catch (const Error& error) {
+          EXPECT_EQ(error.kind(), ErrorKind::io) << error.what();
+        }
+        failed = watch.count > number;
+      }
+      check();
+    }
+    EXPECT_GT(number, 3) << "calls were counted";
+  }
+}
+
+/// Without noises, whose tiles are large.
+Bundle small_bundle(float mark) {
+  Bundle bundle = bundle_with_everything(mark, 16);
+  bundle.noise.reset();
+  return bundle;
+}
+
+TEST(SafeFile, AnyCallThatFailsLeavesTheOldOrTheNewBundle) {
+  const TemporaryFolder folder;
+  const Bundle one = small_bundle(0.25f), other = small_bundle(0.75f);
+  bool is_one = true;
+  write_bundle(one, folder / "a.texbundle");
+  fail_each_call_once([&] { write_bundle(is_one ? other : one, folder / "a.texbundle"); },
+                      [&] {
+                        const float mark = read_bundle(folder / "a.texbundle").scales[0].height->operator()(0, 0);
+                        EXPECT_TRUE(mark == 0.25f || mark == 0.75f);
+                        is_one = mark == 0.25f;
+                        EXPECT_EQ(folder_contents(folder.path()).size(), 1u);
+                        for (const auto& [name, text] : folder_contents(folder / "a.texbundle"))
+                          EXPECT_FALSE(is_temporary_name(name)) << name;
+                      });
+}
+
+TEST(SafeFile, AnyCallThatFailsLeavesNoBundleOrAWholeOne) {
+  const TemporaryFolder folder;
+  const Bundle bundle = small_bundle(0.25f);
+  fail_each_call_once([&] { write_bundle(bundle, folder / "a.texbundle"); },
+                      [&] {
+                        if (fs::exists(folder / "a.texbundle")) read_bundle(folder / "a.texbundle");
+                        fs::remove_all(folder / "a.texbundle");
+                        EXPECT_TRUE(fs::is_empty(folder.path()));
+                      });
+}
+
+TEST(SafeFile, AnyCallThatFailsLeavesTheOldOrTheNewFile) {
+  const TemporaryFolder folder;
+  const std::string large(3 << 20, 'x');
+  write_text(folder / "a", "old");
+  fail_each_call_once(
+      [&] {
+        SafeFile file(folder / "a");
+        file.write(large);
+        file.seek(5);
+        file.write("middle");
+        file.commit();
+      },
+      [&] {
+        const auto left = folder_contents(folder.path());
+        ASSERT_EQ(left.size(), 1u);
+        EXPECT_TRUE(left.at("a") == "old" || left.at("a").size() == large.size());
+        write_text(folder / "a", "old");
+      });
+}
+
+TEST(SafeFile, WhatAKilledWriterLeftIsRemovedByTheNext) {
+  const TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(child, nullptr, 0), child);  // its number is nobody's now
+  const std::string dead = ".a.texbake-tmp-" + std::to_string(child);
+  const std::string alive = ".a.texbake-tmp-" + std::to_string(::getppid());
+  for (const std::string& name : {dead, alive, ".b.texbake-tmp-" + std::to_string(child), dead + "x"})
+    write_text(folder / name, "half");
+  SafeFile file(folder / "a");
+  file.write("new");
+  file.commit();
+  const auto left = folder_contents(folder.path());
+  EXPECT_FALSE(left.contains(dead));
+  EXPECT_TRUE(left.contains(alive)) << "its writer may still be at work";
+  EXPECT_EQ(left.size(), 4u) << "other files are nobody's business";
 }
 
 TEST(SafeFile, WithoutCommitNothingStays) {
