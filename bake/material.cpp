@@ -18,8 +18,13 @@ void check_names(const std::vector<MaterialFile>& maps) {
       throw Error(ErrorKind::usage, fmt::format("--map {}: given twice; every map needs its own name", map.name));
 }
 
-Picture read_noted(const MaterialFile& file, InputSpace space, PictureRole role, Listener& listener) {
-  Picture picture = read_picture({.path = file.file, .space = space, .role = role});
+Picture read_noted(const MaterialFile& file, const ImportOptions& options, PictureRole role, Listener& listener) {
+  PictureRequest request{.path = file.file, .space = InputSpace::linear, .role = role};
+  if (role == PictureRole::color) {
+    request.space = options.input_space;
+    request.layer = options.layer;
+  }
+  Picture picture = read_picture(request);
   if (!file.sha256.empty() && picture.sha256 != file.sha256)
     throw Error(ErrorKind::bad_data, fmt::format("{}: expected the file with SHA-256 {}, found {}; remove \"sha256\" "
                                                  "from the recipe to bake another picture",
@@ -53,10 +58,10 @@ Material read_material(const MaterialFiles& files, const ImportOptions& options,
   check_names(files.maps);
   listener.step("read");
   Material material;
-  material.color = read_noted(files.color, options.input_space, PictureRole::color, listener);
+  material.color = read_noted(files.color, options, PictureRole::color, listener);
   for (const MaterialFile& map : files.maps) {
     const PictureRole role = map.name == kNormalMap ? PictureRole::normal : PictureRole::data;
-    material.maps.push_back(read_noted(map, InputSpace::linear, role, listener));
+    material.maps.push_back(read_noted(map, options, role, listener));
   }
   listener.finish_step();
   return material;

@@ -28,6 +28,7 @@ struct EnumNames<NormalConvention> {
 struct ImportOptions {
   InputSpace input_space = InputSpace::automatic;
   NormalConvention normal_convention = NormalConvention::opengl;
+  std::string layer = {};
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
@@ -37,6 +38,10 @@ struct ImportOptions {
     visit(self.normal_convention,
           Field{.name = "normal-convention",
                 .help = "convention of the map \"normal\": +y up (opengl) or +y down (directx)"});
+    visit(self.layer, Field{.name = "layer",
+                            .unit = "NAME",
+                            .help = "layer (or single channel, or part) of the color picture's file that is read, for "
+                                    "files that name theirs, as OpenEXR does"});
   }
 };
 

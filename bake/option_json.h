@@ -24,11 +24,16 @@ Json json_value(const T& value) {
     return value;
 }
 
-/// Every field by its name, in the order of the list; null for an automatic value that is not set.
+/// Every field by its name, in the order of the list; null for an automatic value that is not set. A text that is
+/// empty is left out.
 template <class Options>
 Json json_of(const Options& options) {
   Json json = Json::object();
-  Options::fields(options, [&](const auto& value, const Field& field) { json[field.name] = json_value(value); });
+  Options::fields(options, [&](const auto& value, const Field& field) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+      if (value.empty()) return;
+    json[field.name] = json_value(value);
+  });
   return json;
 }
 

@@ -34,7 +34,7 @@ Action declare_convert(Arguments& arguments) {
   const auto request = std::make_shared<ConvertFlags>();
   arguments.positional({.name = "PICTURE",
                         .names = Names::file,
-                        .help = "the exemplar: any picture format that OpenImageIO reads",
+                        .help = "the exemplar: PNG, JPEG, TIFF, OpenEXR or another of the formats that are read",
                         .assign = into(request->convert.files.color.file)});
   add_new_bundle_path(arguments, request->output);
   add_convert_flags(arguments, request->convert);

@@ -1,12 +1,13 @@
 #include "formats/click_picture.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "formats/limits.h"
+#include "formats/picture_input.h"
 
 namespace texbake {
 namespace {
@@ -25,20 +26,19 @@ struct Pixels {
 };
 
 Pixels read_pixels(const std::string& path) {
-  OIIO::ImageSpec settings;
-  settings["oiio:UnassociatedAlpha"] = 1;  // else heights are multiplied by alpha
-  const auto input = OIIO::ImageInput::open(path, &settings);
-  if (!input) throw refusal(path, "something else (" + OIIO::geterror() + ")");
-  const OIIO::ImageSpec& spec = input->spec();
+  const std::unique_ptr<PictureInput> open = open_picture_input(path);
+  const OIIO::ImageSpec& spec = open->spec;
   if (spec.width < 1 || spec.height < 1 || spec.width > kMaxTileSize || spec.height > kMaxTileSize || spec.deep)
     throw refusal(path, fmt::format("{} x {} texels", spec.width, spec.height));
-  Pixels pixels{{}, spec.width, spec.height, spec.nchannels, spec.alpha_channel};
+  const auto alpha = std::find(spec.channelnames.begin(), spec.channelnames.end(), "A");
+  Pixels pixels{{}, spec.width, spec.height, spec.nchannels};
+  if (alpha != spec.channelnames.end()) pixels.alpha = static_cast<int>(alpha - spec.channelnames.begin());
   const int colors = pixels.channels - (pixels.alpha >= 0 ? 1 : 0);
   if (colors != 1 && colors != 3) throw refusal(path, fmt::format("{} channels", pixels.channels));
   pixels.values.resize(static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height) *
                        static_cast<size_t>(pixels.channels));
-  if (!input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::FLOAT, pixels.values.data()))
-    throw refusal(path, "a damaged picture (" + input->geterror() + ")");
+  if (!open->input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::FLOAT, pixels.values.data()))
+    throw refusal(path, "a damaged picture (" + open->input->geterror() + ")");
   return pixels;
 }
 

@@ -6,32 +6,13 @@
 #include <vector>
 
 #include "formats/limits.h"
+#include "formats/picture_values.h"
 #include "libbake/base/image.h"
-#include "libbake/base/options.h"
 #include "libbake/base/torus.h"
 
 namespace texbake {
 
 inline constexpr int kMaxPictureSide = kMaxTileSize;
-
-/// What the numbers of a picture's file mean.
-enum class InputSpace {
-  automatic,  ///< what the file says; else sRGB for integers and linear for floats
-  srgb,
-  linear,
-};
-template <>
-struct EnumNames<InputSpace> {
-  static constexpr std::pair<InputSpace, std::string_view> values[] = {
-      {InputSpace::automatic, "auto"}, {InputSpace::srgb, "srgb"}, {InputSpace::linear, "linear"}};
-};
-
-/// What a picture is for.
-enum class PictureRole {
-  color,   ///< light: three channels, decoded to linear Rec.709; grey is promoted
-  data,    ///< numbers such as roughness or height, without any curve: one or three channels, integers to 0 … 1
-  normal,  ///< vectors: three channels, decoded to −1 … 1, not renormalised
-};
 
 /// Whether values that a material cannot have are refused.
 enum class PictureValues {

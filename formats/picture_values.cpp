@@ -36,18 +36,37 @@ std::optional<Offenders> find_offenders(const std::vector<ImageView<const float>
   return found.count ? std::optional(found) : std::nullopt;
 }
 
+// The value of a table over 0 … 1 at `at_01` ≥ 0; NaN and infinity stay.
+float interpolate(const std::vector<float>& table, float at_01) {
+  if (!std::isfinite(at_01)) return at_01;
+  const float place = at_01 * static_cast<float>(table.size() - 1);
+  const size_t left = std::min(static_cast<size_t>(std::min(place, 1e9f)), table.size() - 2);
+  const float share = place - static_cast<float>(left);
+  return share == 0   ? table[left]
+         : share == 1 ? table[left + 1]
+                      : table[left] + share * (table[left + 1] - table[left]);
+}
+
 }  // namespace
 
-InputCurve InputCurve::power(double gamma) { return std::fabs(gamma - 2.2) <= 0.05 ? srgb() : InputCurve(gamma); }
+InputCurve InputCurve::exact_power(double gamma) {
+  return gamma == 1 ? linear() : InputCurve(gamma, fmt::format("gamma {:.3g}", gamma));
+}
+
+InputCurve InputCurve::power(double gamma) { return std::fabs(gamma - 2.2) <= 0.05 ? srgb() : exact_power(gamma); }
+
+InputCurve InputCurve::sampled(std::vector<float> table, const std::string& name) {
+  assert(table.size() >= 2);
+  InputCurve curve(1, name);
+  curve.table_ = std::make_shared<const std::vector<float>>(std::move(table));
+  return curve;
+}
 
 float InputCurve::decode(float encoded) const {
+  if (table_) return std::copysign(interpolate(*table_, std::fabs(encoded)), encoded);
   if (gamma_ == 0) return linear_from_srgb(encoded);
   if (gamma_ == 1) return encoded;
   return std::copysign(static_cast<float>(portable_pow(std::fabs(encoded), gamma_)), encoded);
-}
-
-std::string InputCurve::name() const {
-  return gamma_ == 0 ? "srgb" : gamma_ == 1 ? "linear" : fmt::format("gamma {:.3g}", gamma_);
 }
 
 V2i upright_size(V2i stored, int orientation) { return orientation >= 5 ? V2i(stored.y, stored.x) : stored; }

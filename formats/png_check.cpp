@@ -30,37 +30,96 @@ bool read_exactly(std::istream& file, char* bytes, size_t count) {
   return static_cast<bool>(file.read(bytes, static_cast<std::streamsize>(count)));
 }
 
-// Checksum of the next `length` bytes, begun with the chunk's name; nothing when the file ends before.
-std::optional<uint32_t> crc_of_chunk(std::istream& file, std::string_view name, uint32_t length) {
+// One chunk of a file.
+struct PngChunk {
+  std::string name;
+  std::string start;     // of its content, at most kKeptBytes
+  bool is_whole = true;  // the file does not end inside of it
+  bool is_sound = true;  // its checksum is right
+
+  bool is_ancillary() const { return std::islower(static_cast<unsigned char>(name[0])); }
+  bool is_end() const { return name == "IEND"; }
+};
+
+constexpr size_t kKeptBytes = 32;  // cHRM, the longest chunk of interest
+
+// The content and the checksum of the chunk whose head was read.
+PngChunk read_chunk(std::istream& file, const char (&head)[8]) {
+  PngChunk chunk{.name = std::string(head + 4, 4), .start = {}};
+  uint32_t length = big_endian(head);
   std::vector<char> block(std::min<size_t>(length, size_t{1} << 16));
-  uint32_t crc = add_crc(0, name.data(), name.size());
+  uint32_t crc = add_crc(0, chunk.name.data(), chunk.name.size());
   while (length > 0) {
     const size_t count = std::min<size_t>(length, block.size());
-    if (!read_exactly(file, block.data(), count)) return std::nullopt;
+    if (!read_exactly(file, block.data(), count)) {
+      chunk.is_whole = false;
+      return chunk;
+    }
+    if (chunk.start.empty()) chunk.start.assign(block.data(), std::min(count, kKeptBytes));
     crc = add_crc(crc, block.data(), count);
     length -= static_cast<uint32_t>(count);
   }
-  return crc;
+  char tail[4];
+  chunk.is_whole = read_exactly(file, tail, sizeof(tail));
+  chunk.is_sound = chunk.is_whole && crc == big_endian(tail);
+  return chunk;
+}
+
+bool is_color_chunk(const std::string& name) {
+  return name == "cICP" || name == "sRGB" || name == "gAMA" || name == "cHRM";
+}
+
+// Takes a chunk into account; false where the walk ends.
+bool note_chunk(PngChunk chunk, bool has_texels, PngCheck& check) {
+  const bool is_harmless = chunk.is_ancillary() || chunk.is_end();
+  if (!chunk.is_whole) {
+    const std::string words = fmt::format("the file ends inside the chunk {}", chunk.name);
+    if (is_harmless && has_texels)
+      check.warnings.push_back(words);
+    else
+      check.damage = words;
+    return false;
+  }
+  if (!chunk.is_sound) {
+    const std::string words = fmt::format("the checksum of the chunk {} is wrong", chunk.name);
+    if (!is_harmless) {
+      check.damage = words;
+      return false;
+    }
+    check.warnings.push_back(words);
+  } else if (is_color_chunk(chunk.name)) {
+    check.color_chunks.emplace(chunk.name, std::move(chunk.start));
+  }
+  return !chunk.is_end();
 }
 
 }  // namespace
 
-std::optional<std::string> find_png_damage(const std::string& path) {
+PngCheck check_png(const std::string& path) {
+  PngCheck check;
   std::ifstream file(path, std::ios::binary);
   char signature[kSignature.size()];
   if (!read_exactly(file, signature, sizeof(signature)) || std::string_view(signature, sizeof(signature)) != kSignature)
-    return std::nullopt;
+    return check;
 
+  bool has_texels = false;
   for (;;) {
-    char head[8], tail[4];
-    if (!read_exactly(file, head, sizeof(head))) return "the file ends before the chunk IEND";
-    const std::string_view name(head + 4, 4);
-    if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c); }))
-      return fmt::format("expected a chunk {} bytes into the file", static_cast<int64_t>(file.tellg()) - 8);
-    const std::optional<uint32_t> crc = crc_of_chunk(file, name, big_endian(head));
-    if (!crc || !read_exactly(file, tail, sizeof(tail))) return fmt::format("the file ends inside the chunk {}", name);
-    if (*crc != big_endian(tail)) return fmt::format("the checksum of the chunk {} is wrong", name);
-    if (name == "IEND") return std::nullopt;
+    char head[8];
+    if (!read_exactly(file, head, sizeof(head))) {
+      const std::string words = "the file ends before the chunk IEND";
+      if (has_texels)
+        check.warnings.push_back(words);
+      else
+        check.damage = words;
+      return check;
+    }
+    if (!std::all_of(head + 4, head + 8, [](unsigned char c) { return std::isalpha(c); })) {
+      check.damage = fmt::format("expected a chunk {} bytes into the file", static_cast<int64_t>(file.tellg()) - 8);
+      return check;
+    }
+    PngChunk chunk = read_chunk(file, head);
+    has_texels = has_texels || chunk.name == "IDAT";
+    if (!note_chunk(std::move(chunk), has_texels, check)) return check;
   }
 }
 

@@ -1,14 +1,24 @@
-// Finds a PNG file that is cut off or damaged, chunk by chunk, before a decoder complains on its own.
-// Based on: ISO/IEC 15948 (PNG), §5 and annex D.
+// Reads a PNG file chunk by chunk, before a decoder does: what is damaged, and what the file says of its colors.
+// Based on: ISO/IEC 15948 (PNG), §5, §11.3 and annex D.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace texbake {
 
-/// What is wrong with the chunks of the PNG file at `path`: one that ends beyond the file, one whose checksum differs,
-/// or no IEND. Nothing for a sound file, and for a file that is no PNG. Bytes after IEND are allowed.
-std::optional<std::string> find_png_damage(const std::string& path);
+struct PngCheck {
+  /// A critical chunk whose checksum differs or that the file ends inside of; nothing for a sound file.
+  std::optional<std::string> damage = {};
+  /// What is wrong but changes no texel: the checksum of an ancillary chunk, or no IEND. Bytes after IEND are allowed.
+  std::vector<std::string> warnings = {};
+  /// The content of the sound chunks cICP, sRGB, gAMA and cHRM, by name.
+  std::map<std::string, std::string> color_chunks = {};
+};
+
+/// Of the file at `path`. A file that is no PNG has neither damage nor warnings.
+PngCheck check_png(const std::string& path);
 
 }  // namespace texbake

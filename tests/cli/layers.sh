@@ -54,8 +54,9 @@ only() {
     [[ " $* " == *" $file "* ]] || complain "$file includes <$pattern>; allowed: $*"
   done < <(grep -rlE "#include <($pattern)" --include=*.h --include=*.cpp libbake formats bake pages cli examples)
 }
-only 'OpenImageIO/' formats/click_picture.cpp formats/image_reader.cpp formats/image_writer.cpp formats/picture_bytes.cpp
+only 'OpenImageIO/' formats/picture_input.h formats/image_writer.cpp formats/picture_bytes.cpp
 only 'OpenEXR/' formats/exr_planes.cpp
+only 'lcms2' formats/icc_profile.cpp
 only 'openssl/' formats/base64.cpp formats/sha256.cpp
 only 'zlib.h' formats/png_check.cpp
 only 'opencv2/' libbake/base/fft.cpp libbake/report/sheet.cpp
