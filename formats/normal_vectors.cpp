@@ -8,10 +8,12 @@
 namespace texbake {
 namespace {
 
-constexpr float kUnitTolerance = 0.05f;  // of a length: codes of 8 bits are within 0.014
-constexpr float kUnitShare = 0.99f;      // of the texels of a map of vectors; a few may be gaps
+constexpr float kUnitLengthTolerance = 0.05f;  // of a length: codes of 8 bits are within 0.014
+constexpr float kUnitShare = 0.99f;            // of the texels of a map of vectors; a few may be gaps
 
-bool is_unit(float x, float y, float z) { return std::fabs(std::sqrt(x * x + y * y + z * z) - 1) <= kUnitTolerance; }
+bool is_unit(float x, float y, float z) {
+  return std::fabs(std::sqrt(x * x + y * y + z * z) - 1) <= kUnitLengthTolerance;
+}
 
 size_t count_unit(const Image<float> (&planes)[3]) {
   size_t count = 0;
@@ -35,7 +37,7 @@ size_t add_z(Image<float> (&planes)[3]) {
   for (size_t i = 0; i < planes[0].size(); ++i) {
     const float x = planes[0].data()[i], y = planes[1].data()[i];
     const float square = 1 - x * x - y * y;
-    if (square < -2 * kUnitTolerance) ++impossible;
+    if (square < -2 * kUnitLengthTolerance) ++impossible;
     planes[2].data()[i] = square > 0 ? std::sqrt(square) : 0;
   }
   return impossible;
@@ -65,7 +67,7 @@ std::vector<std::string> finish_normals(Image<float> (&planes)[3], size_t stored
   const size_t total = planes[0].size(), unit = count_unit(planes);
   if (unit < total)
     notes.push_back(fmt::format("{} of {} vectors are not of unit length (more than {:g} % off)", total - unit, total,
-                                100 * kUnitTolerance));
+                                100 * kUnitLengthTolerance));
   return notes;
 }
 
