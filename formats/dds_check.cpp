@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "libbake/base/error.h"
 
 namespace texbake {
@@ -23,9 +25,11 @@ bool is_mask(uint32_t mask, uint32_t bits) {
   return (mask & (mask + 1)) == 0;
 }
 
-// Of the largest picture.
+// Of the largest picture; sides that no picture has count as this long, so that nothing overflows.
+constexpr uint64_t kLongestSide = uint64_t{1} << 20;
 uint64_t texel_bytes(std::string_view header) {
-  const uint64_t height = dds_number(header, 12), width = dds_number(header, 16);
+  const uint64_t height = std::min<uint64_t>(dds_number(header, 12), kLongestSide);
+  const uint64_t width = std::min<uint64_t>(dds_number(header, 16), kLongestSide);
   if ((dds_number(header, 80) & kDdsFourCc) == 0) return width * height * ((dds_number(header, 88) + 7) / 8);
   const uint64_t block_bytes = header.substr(84, 4) == "DXT1" ? 8 : 16;
   return (width + 3) / 4 * ((height + 3) / 4) * block_bytes;

@@ -348,6 +348,10 @@ TEST_F(PictureKinds, DdsThatWouldNeverEndIsRefused) {
   header.replace(80, 4, little(0x20000, 4));  // luminance
   write_bytes(folder_ / "a.dds", header);
   EXPECT_EQ(reading("a.dds").kind, ErrorKind::unsupported);
+  std::string huge = dds_of("DXT1", "abc");
+  huge.replace(12, 8, std::string(8, '\xff'));  // sides whose product overflows
+  write_bytes(folder_ / "a.dds", huge);
+  EXPECT_EQ(reading("a.dds").kind, ErrorKind::bad_data);
   write_bytes(folder_ / "a.dds", dds_of("DXT1", "abc"));
   EXPECT_EQ(reading("a.dds").kind, ErrorKind::bad_data);
   write_bytes(folder_ / "a.dds", dds_of("DX10", std::string(64, '\0')));
