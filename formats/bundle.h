@@ -57,12 +57,13 @@ struct Scale {
   const Image<V3f>& base() const { return structure ? *structure : exemplar; }
 };
 
+inline constexpr const char* kColorRole = "color";    ///< of the picture
 inline constexpr const char* kClicksRole = "clicks";  ///< of the heights that heightmap was given
 
 /// A file that went into the bundle.
 struct SourceFile {
   std::string role;  ///< "color", the name of a map, or kClicksRole
-  std::string name;  ///< base name, no folder
+  std::string name;  ///< base name, no folder; bytes that need not be UTF-8
   std::string sha256;
   uint64_t size_bytes = 0;
   std::string scale = {};  ///< the scale that it went into; "" in a bundle of one scale

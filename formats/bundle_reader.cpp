@@ -7,6 +7,7 @@
 #include <map>
 
 #include "formats/bundle_io.h"
+#include "formats/input_file.h"
 #include "formats/json_text.h"
 #include "formats/limits.h"
 #include "formats/noise_planes.h"
@@ -22,6 +23,12 @@ std::string display_name(const std::filesystem::path& path) { return path.string
 /// The text of bundle.json; empty after an issue.
 std::string manifest_text(const std::filesystem::path& path, IssueLog& log) {
   const std::filesystem::path file = path / kManifestName;
+  if (is_forbidden(file)) {
+    log.add({IssueId::manifest_unreadable,
+             {.file = kManifestName},
+             fmt::format("expected a readable file, found: {}", std::strerror(EACCES))});
+    return {};
+  }
   std::error_code failed;
   if (!std::filesystem::exists(path, failed)) {
     log.add({IssueId::not_found, {.file = display_name(path)}, "expected a bundle, found nothing"});

@@ -1,8 +1,4 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -13,6 +9,7 @@
 #include "formats/json_text.h"
 #include "formats/noise_planes.h"
 #include "formats/schema.h"
+#include "formats/staged_folder.h"
 
 namespace texbake {
 namespace {
@@ -23,11 +20,6 @@ Error refusal(const fs::path& path, const std::string& found) {
   return Error(ErrorKind::io, fmt::format("{}: expected a bundle or an unused name to write to, found {}; nothing was "
                                           "changed; choose another output, or remove it first",
                                           path.string(), found));
-}
-
-Error failure(const fs::path& path, const char* action) {
-  return Error(ErrorKind::io, fmt::format("{}: could not {}: {}; choose a writable location", path.string(), action,
-                                          std::strerror(errno)));
 }
 
 /// One file of planes.
@@ -73,26 +65,6 @@ Plan make_plan(const Bundle& bundle, const fs::path& path) {
   return plan;
 }
 
-/// A folder that one writer has for itself. The kernel frees it when the writer ends, however it ends.
-class FolderLock {
- public:
-  explicit FolderLock(const fs::path& folder)
-      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    // File systems without locks are written without: two writers at once are then the user's care.
-    locked_ = descriptor_ >= 0 && (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK);
-  }
-  ~FolderLock() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  explicit operator bool() const { return locked_; }
-
- private:
-  int descriptor_;
-  bool locked_ = false;
-};
-
 bool is_payload_name(const std::string& name) {
   constexpr size_t kTail = sizeof("-0123456789ab.exr") - 1;
   if (name.size() <= kTail || !name.ends_with(".exr") || name[name.size() - kTail] != '-') return false;
@@ -117,13 +89,14 @@ bool holds_already(const fs::path& file, const PlaneRefs& refs) {
   return reader.part_names() == parts;
 }
 
+/// The payload's permissions are those of the manifest that stands in the folder.
 void write_payload(const Payload& payload, const fs::path& folder, const StepHook& hook) {
   const fs::path path = folder / payload.name();
   if (holds_already(path, payload.refs)) return;
   std::vector<ExrPart> parts;
   for (const ScalePlane& plane : payload.planes)
     if (parts.empty() || parts.back().shape.part != plane.shape.part) parts.push_back(exr_part(plane));
-  SafeFile file(path, hook);
+  SafeFile file(path, hook, folder / kManifestName);
   if (hook) hook("write " + payload.name());
   write_exr(file, payload.size, parts);
   file.commit();
@@ -160,49 +133,22 @@ void replace_bundle(const Plan& plan, const fs::path& path, const StepHook& hook
   tidy(path, plan, hook);
 }
 
-std::string staging_prefix(const fs::path& path) { return fmt::format(".{}.texbake-tmp-", path.filename().string()); }
-
-/// Staging folders of writers of `path` that no longer live.
-void remove_dead_staging(const fs::path& path) {
-  std::error_code ignored;
-  std::vector<fs::path> dead;
-  for (const auto& entry : fs::directory_iterator(path.parent_path(), ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(staging_prefix(path)) && is_temporary_name(name) && entry.is_directory(ignored) &&
-        FolderLock(entry.path()))
-      dead.push_back(entry.path());
-  }
-  for (const fs::path& folder : dead) fs::remove_all(folder, ignored);
-}
-
 void create_bundle(const Plan& plan, const fs::path& path, const StepHook& hook) {
-  remove_dead_staging(path);
-  Unfinished staging(path.parent_path() / fmt::format("{}{}", staging_prefix(path), ::getpid()));
-  if (hook) hook("create folder");
-  if (::mkdir(staging.path().c_str(), 0777) != 0) throw failure(path, "create the folder");
-  const FolderLock lock(staging.path());
+  StagedFolder staging(path, hook);
   write_files(plan, staging.path(), hook);
-  if (hook) hook("rename folder");
-  // rename(2) replaces nothing but an empty folder.
-  if (::rename(staging.path().c_str(), path.c_str()) != 0) throw failure(path, "rename the folder");
-  staging.release();
-  if (hook) hook("renamed folder");
-  sync_folder(path.parent_path());
+  staging.commit();
 }
 
-/// Is there a bundle, of whatever version, in the folder?
+/// Is there a bundle, of whatever version, in the folder? Throws Error(io) where that may not be known.
 bool is_bundle(const fs::path& folder) {
+  errno = 0;
   std::ifstream stream(folder / kManifestName, std::ios::binary);
+  if (!stream && errno == EACCES)
+    throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}; check its permissions",
+                                           (folder / kManifestName).string(), std::strerror(EACCES)));
   const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
   return json.is_object() && json.contains("asset") && json["asset"].is_object() &&
          json["asset"].value("kind", Json()) == "texbake.bundle";
-}
-
-/// Without a slash at the end, and with a folder in front.
-fs::path with_folder(fs::path path) {
-  path = path.lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();
-  return path.has_parent_path() ? path : fs::path(".") / path;
 }
 
 }  // namespace
@@ -213,7 +159,7 @@ void write_bundle(const Bundle& bundle, const fs::path& target, const WriteOptio
   const fs::file_status status = fs::symlink_status(path, failed);
   const bool exists = fs::exists(status);
   if (exists && !fs::is_directory(path, failed)) throw refusal(path, "a file");
-  const bool is_new = !exists || fs::is_empty(path, failed);
+  const bool is_new = !exists || (!fs::exists(path / kManifestName, failed) && fs::is_empty(path, failed));
   if (!is_new && !is_bundle(path)) throw refusal(path, "a folder that is not a bundle");
   if (is_new && !fs::is_directory(path.parent_path(), failed))
     throw Error(ErrorKind::io, fmt::format("{}: expected the folder {} to exist, found none; create it first",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -45,8 +46,7 @@ HeightClick click_of(const Json& json, const std::string& where) {
 }
 
 std::vector<HeightClick> clicks_of_json(const std::string& text, const std::string& path) {
-  IssueLog log(path, IssueLog::OnError::throw_first);
-  const Json json = parse_json(text, log);
+  const Json json = parse_json(text, path);
   const Json& list = json.is_object() && json.contains("clicks") ? json["clicks"] : json;
   if (!list.is_array()) refuse(path, fmt::format("a list of {}", kForms), compact_json(list).substr(0, 60));
   std::vector<HeightClick> clicks;
@@ -54,31 +54,48 @@ std::vector<HeightClick> clicks_of_json(const std::string& text, const std::stri
   return clicks;
 }
 
-/// The words of a line, parted by any of ",; \t\r".
-std::vector<std::string_view> words_of(std::string_view line) {
-  std::vector<std::string_view> words;
-  constexpr std::string_view kParting = ",; \t\r";
-  for (size_t begin = line.find_first_not_of(kParting); begin != std::string_view::npos;) {
-    const size_t end = std::min(line.find_first_of(kParting, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kParting, end);
+/// The words of a line, parted by any of `parting`. Between quotation marks, which are left out, nothing parts.
+std::vector<std::string> words_of(std::string_view line, std::string_view parting) {
+  std::vector<std::string> words;
+  bool in_word = false, in_quotes = false;
+  for (const char c : line) {
+    const bool parts = !in_quotes && parting.find(c) != std::string_view::npos;
+    if (!parts && !in_word) words.emplace_back();
+    in_word = !parts;
+    if (c == '"')
+      in_quotes = !in_quotes;
+    else if (!parts)
+      words.back() += c;
   }
   return words;
 }
 
-std::optional<double> number_of(std::string_view word) {
+/// A number with a decimal point or, as spreadsheets write it in many countries, a decimal comma.
+std::optional<double> number_of(std::string word) {
+  std::ranges::replace(word, ',', '.');
+  const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
+  const char* const end = word.data() + word.size();
   double value = 0;
-  if (word.starts_with('+')) word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() ? std::optional(value) : std::nullopt;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+}
+
+/// The fields of a line. A semicolon parts them wherever one is: commas are then decimal. Without one, a comma parts
+/// them, unless that does not make three of them but white space does.
+std::vector<std::string> fields_of(std::string_view row) {
+  if (row.find(';') != std::string_view::npos) return words_of(row, "; \t\r");
+  const std::vector<std::string> by_comma = words_of(row, ", \t\r"), by_space = words_of(row, " \t\r");
+  return by_comma.size() != 3 && by_space.size() == 3 ? by_space : by_comma;
 }
 
 std::vector<HeightClick> clicks_of_csv(std::string_view text, const std::string& path) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<HeightClick> clicks;
   for (int line = 1; !text.empty(); ++line) {
     const std::string_view row = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(row.size() + 1, text.size()));
-    const std::vector<std::string_view> words = words_of(row);
+    const std::vector<std::string> words = fields_of(row);
     if (words.empty() || words[0].starts_with('#')) continue;
     const std::string where = fmt::format("{}: line {}", path, line);
     const auto x = number_of(words[0]);

@@ -16,8 +16,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
+#include <cstring>
 
 #include "formats/exr_header.h"
+#include "formats/input_file.h"
 #include "formats/json_text.h"
 #include "formats/limits.h"
 #include "formats/sha256.h"
@@ -185,6 +188,11 @@ bool ExrReader::File::may_be_opened(IssueLog& log) {
 
 ExrReader::ExrReader(const std::filesystem::path& path, IssueLog& log) : file_(std::make_unique<File>()) {
   file_->path = path;
+  if (is_forbidden(path)) {
+    log.add({IssueId::file_unreadable, file_->place(),
+             fmt::format("expected a readable file, found: {}", std::strerror(EACCES))});
+    return;
+  }
   std::error_code failed;
   if (!std::filesystem::is_regular_file(path, failed)) {
     log.add({IssueId::file_missing, file_->place(), "expected the file, found nothing"});

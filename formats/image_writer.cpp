@@ -28,16 +28,20 @@ struct Kind {
   std::string_view extension;
   const char* plugin;
   std::vector<SampleType> samples;
+  int max_side = 1 << 30;
 };
+
+constexpr int kMaxJpegSide = 65500;   // of libjpeg, JPEG_MAX_DIMENSION; beyond it the library ends the program
+constexpr int kMaxPngSide = 1000000;  // of libpng, PNG_USER_WIDTH_MAX
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> list = {
-      {"png", "png", {SampleType::uint8, SampleType::uint16}},
+      {"png", "png", {SampleType::uint8, SampleType::uint16}, kMaxPngSide},
       {"exr", "openexr", {SampleType::half, SampleType::float32}},
       {"tif", "tiff", {SampleType::uint8, SampleType::uint16, SampleType::float32}},
       {"tiff", "tiff", {SampleType::uint8, SampleType::uint16, SampleType::float32}},
-      {"jpg", "jpeg", {SampleType::uint8}},
-      {"jpeg", "jpeg", {SampleType::uint8}},
+      {"jpg", "jpeg", {SampleType::uint8}, kMaxJpegSide},
+      {"jpeg", "jpeg", {SampleType::uint8}, kMaxJpegSide},
   };
   return list;
 }
@@ -226,6 +230,7 @@ struct PictureWriter::State {
 
 PictureWriter::PictureWriter(const std::string& path, const PictureFormat& format) {
   assert(format.width > 0 && format.height > 0 && (format.channels == 1 || format.channels == 3));
+  check_picture_size(path, format.width, format.height);
   state_ = std::make_unique<State>(path, format, kind_of(path, format.samples));
 }
 PictureWriter::~PictureWriter() = default;
@@ -266,5 +271,13 @@ void write_picture(const std::string& path, ImageView<const float> image, Pictur
 }
 
 void check_picture_name(const std::string& path, std::optional<SampleType> samples) { kind_of(path, samples); }
+
+void check_picture_size(const std::string& path, int width, int height) {
+  const Kind& kind = kind_of(path, {});
+  if (std::max(width, height) > kind.max_side)
+    throw Error(ErrorKind::usage,
+                fmt::format("{}: expected at most {} pixels on a side of a .{}, found {} x {}; choose .exr or .tif",
+                            path, kind.max_side, kind.extension, width, height));
+}
 
 }  // namespace texbake

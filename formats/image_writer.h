@@ -35,7 +35,8 @@ struct PictureFormat {
 /// values give the same bytes: nothing but the picture is stored.
 ///
 /// The file appears under its name in `close`, whole; a writer destroyed before removes what it wrote. Every failure of
-/// the file system throws Error(io), an extension or sample type that is not listed Error(usage).
+/// the file system throws Error(io), an extension or sample type that is not listed, or a size that is too large,
+/// Error(usage).
 class PictureWriter {
  public:
   PictureWriter(const std::string& path, const PictureFormat& format);
@@ -63,5 +64,8 @@ void write_picture(const std::string& path, ImageView<const float> image, Pictur
 
 /// Throws Error(usage) unless a picture can be written under the name `path` with `samples`; says which names can.
 void check_picture_name(const std::string& path, std::optional<SampleType> samples = {});
+/// Throws Error(usage) for a picture that is larger than its kind of file holds: .jpg 65500 pixels on a side, .png a
+/// million. The writer throws the same.
+void check_picture_size(const std::string& path, int width, int height);
 
 }  // namespace texbake

@@ -1,6 +1,8 @@
 #include "formats/input_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -34,6 +36,10 @@ void check_input_file(const std::string& path) {
     throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
   if (fs::file_size(path, error) == 0)
     throw Error(ErrorKind::bad_data, fmt::format("{}: expected an image, found an empty file (0 bytes)", path));
+}
+
+bool is_forbidden(const fs::path& path) {
+  return ::faccessat(AT_FDCWD, path.c_str(), R_OK, AT_EACCESS) != 0 && errno == EACCES;
 }
 
 std::string file_bytes(const std::string& path) {

@@ -69,6 +69,8 @@ constexpr IssueKind kKinds[] = {
     {preview_not_first, "preview-not-first", kWarning, kData, "the first part of a payload file is not the preview",
      kBakeAgain},
     {part_compression, "part-compression", kError, kData, "a part is compressed by another method than ZIP", kRestore},
+    {file_unreadable, "file-unreadable", kError, ErrorKind::io, "a payload file is there but may not be read",
+     "check the permissions and the disk"},
 
     {not_finite, "not-finite", kError, kData, "texels are NaN or infinite", kBakeAgain},
     {color_range, "color-range", kError, kData, "colors are negative", kBakeAgain},

@@ -52,6 +52,7 @@ enum class IssueId : int {
   part_unlisted = 310,
   preview_not_first = 311,
   part_compression = 312,
+  file_unreadable = 313,
 
   not_finite = 401,
   color_range = 402,

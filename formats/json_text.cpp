@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "formats/byte_text.h"
 #include "formats/limits.h"
 
 namespace texbake {
@@ -30,9 +31,7 @@ std::string double_text(double value) {
   return text;
 }
 
-std::string string_text(const std::string& value) {
-  return Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string string_text(const std::string& value) { return Json(is_utf8(value) ? value : text_of_bytes(value)).dump(); }
 
 std::string scalar_text(const Json& json) {
   if (json.is_number_float()) return double_text(json.get<double>());
@@ -105,6 +104,29 @@ class StrictWatch {
   std::vector<std::set<std::string>> keys_;
 };
 
+struct Parsed {
+  Json json;                       ///< null after a refusal
+  std::optional<Refused> refused;  ///< what is wrong with it
+};
+
+/// What nlohmann's exceptions say, without their number: "parse error at line 2, column 1: ...".
+std::string reason_of(const Json::exception& error) {
+  const std::string words = error.what();
+  const size_t end = words.find("] ");
+  return end == std::string::npos ? words : words.substr(end + 2);
+}
+
+Parsed parsed_json(std::string_view text) {
+  StrictWatch watch;
+  try {
+    return {Json::parse(text, std::ref(watch)), std::nullopt};
+  } catch (const Refused& refused) {
+    return {nullptr, refused};
+  } catch (const Json::exception& error) {
+    return {nullptr, Refused{IssueId::json_syntax, fmt::format("expected JSON in UTF-8, found: {}", reason_of(error))}};
+  }
+}
+
 }  // namespace
 
 Json json_number(float value) {
@@ -122,18 +144,30 @@ std::string vector_text(const V3f& v) { return fmt::format("({}, {}, {})", v.x, 
 V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
 
 Json parse_json(std::string_view text, IssueLog& log) {
-  StrictWatch watch;
-  try {
-    return Json::parse(text, std::ref(watch));
-  } catch (const Refused& refused) {
-    log.add({refused.id, {.file = "bundle.json"}, refused.detail});
-  } catch (const Json::exception& error) {
-    log.add({IssueId::json_syntax,
-             {.file = "bundle.json"},
-             fmt::format("expected JSON in UTF-8, found: {}", error.what())});
-  }
-  return nullptr;
+  const Parsed parsed = parsed_json(text);
+  if (parsed.refused) log.add({parsed.refused->id, {.file = "bundle.json"}, parsed.refused->detail});
+  return parsed.json;
 }
+
+Json parse_json(std::string_view text, const std::string& path) {
+  const Parsed parsed = parsed_json(text);
+  if (parsed.refused) throw Error(ErrorKind::bad_data, fmt::format("{}: {}", path, parsed.refused->detail));
+  return parsed.json;
+}
+
+Json with_text(const Json& json) {
+  if (json.is_string()) return text_of_bytes(json.get_ref<const std::string&>());
+  if (!json.is_structured()) return json;
+  Json copy = json.is_array() ? Json::array() : Json::object();
+  for (const auto& [key, value] : json.items())
+    if (json.is_array())
+      copy.push_back(with_text(value));
+    else
+      copy[text_of_bytes(key)] = with_text(value);
+  return copy;
+}
+
+std::string print_lines(const Json& json) { return with_text(json).dump(2) + "\n"; }
 
 std::string print_json(const Json& json) {
   std::string text;

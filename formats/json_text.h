@@ -19,13 +19,21 @@ std::string vector_text(const V3f& vector);
 /// A vector from such an array.
 V3f vector_of(const Json& json);
 
-/// `text` as a value. Reports json_syntax, json_too_deep and json_duplicate_key, and then returns null.
+/// `text`, that of bundle.json, as a value. Reports json_syntax, json_too_deep and json_duplicate_key, and then returns
+/// null.
 Json parse_json(std::string_view text, IssueLog& log);
+/// The same for the text of another file, that at `path`. Throws Error(bad_data).
+Json parse_json(std::string_view text, const std::string& path);
+
+/// `json` with every string as text_of_bytes makes it.
+Json with_text(const Json& json);
 
 /// Arrays and objects on one line where they fit into 120 columns, else one element to a line, two spaces a level; a
 /// final newline. Doubles are the shortest decimals that read back to the same value and always show a point or an
-/// exponent; what is not finite becomes null.
+/// exponent; what is not finite becomes null; strings that are not UTF-8 become what text_of_bytes makes of them.
 std::string print_json(const Json& json);
+/// The same values with each element on a line, as other programs print JSON.
+std::string print_lines(const Json& json);
 /// The same tokens without any white space.
 std::string compact_json(const Json& json);
 

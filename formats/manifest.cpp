@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "formats/byte_text.h"
 #include "formats/json_text.h"
 #include "formats/noise_manifest.h"
 #include "formats/plane_refs.h"
@@ -99,8 +100,10 @@ Json stage_json(const Stage& stage) {
 }
 
 Json source_json(const SourceFile& source) {
-  Json json = {
-      {"role", source.role}, {"name", source.name}, {"sha256", source.sha256}, {"sizeBytes", source.size_bytes}};
+  Json json = {{"role", source.role},
+               {"name", text_of_bytes(source.name)},
+               {"sha256", source.sha256},
+               {"sizeBytes", source.size_bytes}};
   if (!source.scale.empty()) json["scale"] = source.scale;
   return json;
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "formats/asset.h"
+#include "formats/byte_text.h"
 #include "formats/json_text.h"
 #include "formats/manifest.h"
 #include "formats/noise_manifest.h"
@@ -226,8 +227,8 @@ void read_scales(const Json& json, Manifest& manifest, IssueLog& log) {
 
 void read_provenance(const Json& json, Bundle& bundle) {
   for (const Json& source : json["sources"])
-    bundle.sources.push_back({source["role"], source["name"], source["sha256"], source["sizeBytes"].get<uint64_t>(),
-                              source.value("scale", "")});
+    bundle.sources.push_back({source["role"], bytes_of_text(source["name"].get_ref<const std::string&>()),
+                              source["sha256"], source["sizeBytes"].get<uint64_t>(), source.value("scale", "")});
   for (const Json& stage : json["stages"])
     bundle.stages.push_back({stage["verb"], stage["version"].get<int>(), stage["parameters"], stage["figures"],
                              stage["input"], stage["output"], stage.value("scale", "")});

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <ctime>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -73,6 +74,23 @@ bool write_all(int descriptor, const char* bytes, size_t count) {
     count -= static_cast<size_t>(written);
   }
   return true;
+}
+
+/// Of a plain file; nothing where there is none.
+std::optional<struct stat> status_of(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return status;
+}
+
+/// Owner, group and permissions of `status`, as far as this process may give them.
+void take_owner(int descriptor, const struct stat& status) {
+  constexpr mode_t kEveryone = 0777, kGroup = 0070;
+  mode_t mode = status.st_mode & kEveryone;
+  if (::fchown(descriptor, status.st_uid, status.st_gid) != 0 &&
+      ::fchown(descriptor, static_cast<uid_t>(-1), status.st_gid) != 0)
+    mode &= ~kGroup;  // another group must not read what only the old one could
+  [[maybe_unused]] const int failed = ::fchmod(descriptor, mode);
 }
 
 std::string temporary_prefix(const std::filesystem::path& final_path) {
@@ -136,13 +154,17 @@ void remove_all_unfinished() {
   for (const std::filesystem::path& path : registry().paths) remove_quietly(path);
 }
 
-SafeFile::SafeFile(std::filesystem::path final_path, StepHook hook)
+SafeFile::SafeFile(std::filesystem::path final_path, StepHook hook, const std::filesystem::path& like)
     : final_path_(std::move(final_path)), hook_(std::move(hook)), unfinished_(temporary_beside(final_path_)) {
   if (hook_) hook_(fmt::format("create {}", final_path_.filename().string()));
-  descriptor_ = ::open(unfinished_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+  const std::optional<struct stat> owned = status_of(like.empty() ? final_path_ : like);
+  constexpr mode_t kNobodyElse = 0600, kAsUserSays = 0666;
+  descriptor_ = ::open(unfinished_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW,
+                       owned ? kNobodyElse : kAsUserSays);
   if (descriptor_ < 0) fail("create");
   ::flock(descriptor_, LOCK_EX | LOCK_NB);  // what is locked is not taken for an orphan; not every disk has locks
   remove_orphans(final_path_);
+  if (owned) take_owner(descriptor_, *owned);
   buffer_.reserve(kBufferBytes);
 }
 
@@ -194,7 +216,8 @@ void SafeFile::commit() {
 void sync_folder(const std::filesystem::path& folder) {
   const std::string name = folder.empty() ? "." : folder.string();
   const int descriptor = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool synced = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
+  // A folder that may be written to but not read has no descriptor to be synchronized by.
+  const bool synced = descriptor >= 0 ? ::fsync(descriptor) == 0 || errno == EINVAL : errno == EACCES;
   const int reason = errno;
   if (descriptor >= 0) ::close(descriptor);
   if (!synced)

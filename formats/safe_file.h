@@ -36,10 +36,11 @@ class Unfinished {
 void remove_all_unfinished();
 
 /// A file under a temporary name in the folder of `final_path`, until `commit`. Every failure (no permission, full
-/// disk, file size limit) throws Error(io); what was at `final_path` before stays as it was.
+/// disk, file size limit) throws Error(io); what was at `final_path` before stays as it was. Who may read and write the
+/// file is as for the file `like` (by default, the one that is replaced), where there is one.
 class SafeFile {
  public:
-  explicit SafeFile(std::filesystem::path final_path, StepHook hook = {});
+  explicit SafeFile(std::filesystem::path final_path, StepHook hook = {}, const std::filesystem::path& like = {});
   ~SafeFile();
   SafeFile(const SafeFile&) = delete;
   SafeFile& operator=(const SafeFile&) = delete;
@@ -66,7 +67,7 @@ class SafeFile {
   std::vector<char> buffer_;
 };
 
-/// Brings a folder's list of names to the disk. Throws Error(io).
+/// Brings a folder's list of names to the disk, where the folder may be read. Throws Error(io).
 void sync_folder(const std::filesystem::path& folder);
 
 /// True for the name of a temporary file that a killed `SafeFile` may have left behind.

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <fstream>
 #include <type_traits>
 
 #include "formats/base64.h"
 #include "formats/bundle.h"
 #include "formats/safe_file.h"
+#include "formats/staged_folder.h"
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
 #include "libbake/planes/prepare.h"
@@ -26,6 +28,8 @@ namespace fs = std::filesystem;
 constexpr std::pair<std::string_view, std::string_view> kViewerFiles[] = {
 #include "pages/embedded_viewer.inc"
 };
+
+constexpr std::string_view kTextureScript = "texbake.open(";  ///< how texture.js begins
 
 constexpr float kMaxHalf = 65504;
 
@@ -90,6 +94,13 @@ std::string shaders_script() {
   return "texbake.shaders = " + shaders.dump() + ";\n";
 }
 
+/// Has an earlier export made the folder? Its texture.js, which is written first, tells.
+bool is_export(const fs::path& folder) {
+  std::string begin(kTextureScript.size(), '\0');
+  std::ifstream(folder / "texture.js").read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin == kTextureScript;
+}
+
 void check_folder(const fs::path& folder) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
@@ -103,17 +114,12 @@ void check_folder(const fs::path& folder) {
   if (!fs::is_directory(status)) refuse("a file");
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    const bool ours =
-        std::any_of(std::begin(kWebFiles), std::end(kWebFiles), [&](const char* file) { return name == file; });
+    const bool ours = std::ranges::find(kWebFiles, name) != std::end(kWebFiles) && is_export(folder);
     if (!ours && !is_temporary_name(name)) refuse(fmt::format("\"{}\" in it", name));
   }
 }
 
-void write_folder(const std::string& texture_script, const fs::path& folder) {
-  check_folder(folder);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error(ErrorKind::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+void write_files(const std::string& texture_script, const fs::path& folder) {
   const auto write = [&](std::string_view name, std::string_view text) {
     SafeFile file(folder / name);
     file.write(text);
@@ -122,6 +128,22 @@ void write_folder(const std::string& texture_script, const fs::path& folder) {
   write("texture.js", texture_script);
   write("shaders.js", shaders_script());
   for (const auto& [name, text] : kViewerFiles) write(name, text);
+}
+
+void write_folder(const std::string& texture_script, const fs::path& target) {
+  check_folder(target);
+  const fs::path folder = with_folder(target);
+  std::error_code error;
+  if (fs::is_directory(folder, error)) return write_files(texture_script, folder);
+  // The first folder of the path that is missing appears as a whole, with those below it.
+  fs::path first = folder;
+  while (first.parent_path().has_filename() && !fs::exists(first.parent_path(), error)) first = first.parent_path();
+  StagedFolder staging(first);
+  const fs::path filled = (staging.path() / folder.lexically_relative(first)).lexically_normal();
+  fs::create_directories(filled, error);
+  if (error) throw Error(ErrorKind::io, fmt::format("{}: cannot be made: {}", target.string(), error.message()));
+  write_files(texture_script, filled);
+  staging.commit();
 }
 
 /// As deep as the stones of a wall are, seen from far enough to see several: a guess that a person may correct.
@@ -152,7 +174,7 @@ std::string web_texture_script(const EvaluatorPlanes& planes) {
   for_each_texture(planes, planes.base, texture_adder(json));
   if (!planes.fragment_idx.empty())
     json["fragments"] = plane_json<uint32_t>(kTexelFormat<uint32_t>.name, planes.fragment_idx);
-  return "texbake.open(" + texture.dump() + ");\n";
+  return std::string(kTextureScript) + texture.dump() + ");\n";
 }
 
 std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* relief) {
@@ -171,7 +193,7 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
   const ReliefPlanes flat;
   for_each_texture(relief ? *relief : flat, texture_adder(json));
   if (relief) glsl::ReliefUniforms::fields(*relief, uniform_adder(texture["relief"], "relief_"));
-  return "texbake.open(" + texture.dump() + ");\n";
+  return std::string(kTextureScript) + texture.dump() + ");\n";
 }
 
 void export_web(const DrawnMaterial& material, std::optional<float> relief_px, const fs::path& folder) {

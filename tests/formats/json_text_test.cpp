@@ -53,8 +53,29 @@ TEST(JsonText, PrintingIsUndoneByParsing) {
   EXPECT_EQ(print_json(parsed(print_json(json))), print_json(json));
 }
 
-TEST(JsonText, BytesThatAreNotUtf8AreReplacedNotThrown) {
-  EXPECT_EQ(parsed(compact_json(Json("caf\xe9.jpg"))), Json("caf\xef\xbf\xbd.jpg"));
+TEST(JsonText, BytesThatAreNotUtf8BecomeTextThatKeepsThem) {
+  EXPECT_EQ(parsed(compact_json(Json("caf\xe9.jpg"))), Json("caf\uefe9.jpg"));
+  const Json json = {{"\xff", {"caf\xe9", "caf\u00e9", 1.5, nullptr}}, {"file", "\xc3"}};
+  const Json text = {{"\uefff", {"caf\uefe9", "caf\u00e9", 1.5, nullptr}}, {"file", "\uefc3"}};
+  EXPECT_EQ(with_text(json), text);
+  EXPECT_EQ(parsed(print_lines(json)), text);
+}
+
+TEST(JsonText, WhatIsWrongWithAFileIsToldWithItsNameAndNotThatOfAManifest) {
+  const auto message = [](const std::string& text) {
+    try {
+      parse_json(text, "clicks.json");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_data);
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(message("[1,\n 2"),
+              testing::StartsWith("clicks.json: expected JSON in UTF-8, found: parse error at line 2"));
+  EXPECT_EQ(message(R"({"x": 1, "x": 2})"), "clicks.json: expected each key only once, found \"x\" twice");
+  EXPECT_THAT(message(std::string(100, '[')), testing::StartsWith("clicks.json: expected at most"));
+  EXPECT_EQ(parse_json("[1]", std::string("clicks.json")), Json({1}));
 }
 
 TEST(JsonText, DuplicateKeysAreRefusedInEveryObject) {

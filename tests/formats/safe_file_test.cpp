@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -299,6 +300,35 @@ TEST(SafeFile, WithoutCommitNothingStays) {
     EXPECT_TRUE(is_temporary_name(file.temporary_path().filename().string()));
   }
   EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+/// The permissions of the file, as chmod(1) takes them.
+unsigned mode_of(const fs::path& path) { return static_cast<unsigned>(fs::status(path).permissions()); }
+
+TEST(SafeFile, WhatTakesThePlaceOfAFileMayBeReadByTheSamePeople) {
+  const TemporaryFolder folder;
+  for (const unsigned mode : {0640u, 0600u, 0664u, 0444u}) {
+    write_text(folder / "a", "old");
+    fs::permissions(folder / "a", static_cast<fs::perms>(mode));
+    SafeFile file(folder / "a");
+    EXPECT_EQ(mode_of(file.temporary_path()), mode);
+    file.commit();
+    EXPECT_EQ(mode_of(folder / "a"), mode);
+    SafeFile other(folder / "b", {}, folder / "a");
+    other.commit();
+    EXPECT_EQ(mode_of(folder / "b"), mode);
+    fs::remove(folder / "a");
+    fs::remove(folder / "b");
+  }
+}
+
+TEST(SafeFile, ANewFileIsAsTheUserWantsNewFiles) {
+  const TemporaryFolder folder;
+  const mode_t before = ::umask(0027);
+  SafeFile file(folder / "a", {}, folder / "none");
+  ::umask(before);
+  file.commit();
+  EXPECT_EQ(mode_of(folder / "a"), 0640u);
 }
 
 TEST(SafeFile, SeekingBackPatchesWhatWasWritten) {

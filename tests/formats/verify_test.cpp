@@ -398,21 +398,40 @@ TEST(Verify, EveryFaultRaisesItsIssueWithItsPlaceAndItsFix) {
 TEST(Verify, EveryNumberHasAFault) {
   std::set<IssueId> raised;
   for (const Fault& fault : all_faults()) raised.insert(fault.id);
-  raised.insert(manifest_unreadable);  // below: it takes another user
+  raised.insert({manifest_unreadable, file_unreadable});  // below: they take another user
   for (const IssueKind& kind : issue_kinds()) EXPECT_TRUE(raised.contains(kind.id)) << kind.name;
 }
 
-TEST(Verify, AManifestThatMayNotBeReadIsAnIoError) {
+/// What is found in a bundle of which `forbid` has forbidden a part to all but root.
+std::vector<Issue> issues_without_permission(const std::function<void(const fs::path&)>& forbid) {
   const TemporaryFolder folder;
-  write_bundle(bundle_with_everything(), folder / "a.texbundle");
-  fs::permissions(folder / "a.texbundle/bundle.json", fs::perms::none);
+  const fs::path path = folder / "a.texbundle";
+  write_bundle(bundle_with_everything(), path);
+  forbid(path);
   const bool is_root = ::geteuid() == 0;
   constexpr uid_t kNobody = 65534;
-  ASSERT_TRUE(!is_root || ::seteuid(kNobody) == 0);
-  const std::vector<Issue> issues = verify_bundle(folder / "a.texbundle");
-  ASSERT_TRUE(!is_root || ::seteuid(0) == 0);
-  ASSERT_FALSE(issues.empty());
-  EXPECT_EQ(issues[0].id, manifest_unreadable);
+  if (is_root && ::seteuid(kNobody) != 0) ADD_FAILURE() << "this user cannot become another";
+  std::vector<Issue> issues = verify_bundle(path);
+  if (is_root && ::seteuid(0) != 0) ADD_FAILURE() << "this user cannot come back";
+  fs::permissions(path, fs::perms::owner_all);
+  return issues;
+}
+
+TEST(Verify, WhatMayNotBeReadIsAnIoErrorAndNoInvalidBundle) {
+  const auto forbid = [](const fs::path& path) { fs::permissions(path, fs::perms::none); };
+  const std::pair<IssueId, std::function<void(const fs::path&)>> cases[] = {
+      {manifest_unreadable, [&](const fs::path& path) { forbid(path / "bundle.json"); }},
+      {manifest_unreadable, forbid},
+      {file_unreadable, [&](const fs::path& path) { forbid(payload_of(path)); }},
+      {file_unreadable, [&](const fs::path& path) { forbid(payload_of(path, "noise-")); }}};
+  for (const auto& [id, spoil] : cases) {
+    SCOPED_TRACE(issue_kind(id).name);
+    const std::vector<Issue> issues = issues_without_permission(spoil);
+    ASSERT_FALSE(issues.empty());
+    EXPECT_EQ(issues[0].id, id);
+    EXPECT_EQ(issues[0].kind().error, ErrorKind::io);
+    EXPECT_THAT(issues[0].detail, testing::HasSubstr("Permission denied"));
+  }
 }
 
 TEST(Verify, ReadingThrowsTheFirstErrorOfWhatItChecks) {
