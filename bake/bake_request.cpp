@@ -1,13 +1,16 @@
 #include "bake/bake_request.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
 #include "bake/option_json.h"
 #include "bake/provenance.h"
 #include "formats/bundle_io.h"
+#include "formats/byte_text.h"
 #include "formats/input_file.h"
 #include "formats/sha256.h"
+#include "libbake/base/suggestion.h"
 
 namespace texbake {
 namespace {
@@ -78,8 +81,7 @@ Json file_json(const SourceFile& source) {
 
 Json parsed_file(const std::string& path) {
   check_input_file(path);
-  IssueLog log(path, IssueLog::OnError::throw_first);
-  return parse_json(file_bytes(path), log);
+  return parse_json(file_bytes(path), path);
 }
 
 [[noreturn]] void refuse(const std::string& where, const std::string& why) {
@@ -96,14 +98,27 @@ void check_kind(const Json& recipe, const std::string& path) {
                 fmt::format("{}: expected recipe version {}, found {}", path, kRecipeVersion, version.dump()));
 }
 
+/// Throws Error(bad_data) for a member that is not `known`.
+void check_members(const Json& json, const std::vector<std::string>& known, const std::string& where) {
+  for (const auto& [name, value] : json.items())
+    if (std::ranges::find(known, name) == known.end())
+      refuse(where, fmt::format("unknown member \"{}\"{}", name, suggestion(name, known)));
+}
+
 MaterialFile material_file(const Json& json, const fs::path& folder, const std::string& where) {
+  if (json.is_object()) check_members(json, {"name", "file", "sha256"}, where);
   const auto text = [&](const char* key, bool required) {
     const Json value = json.is_object() ? json.value(key, Json()) : Json();
     if (!value.is_string() && (required || !value.is_null()))
       refuse(where, fmt::format("expected a string \"{}\"", key));
     return value.is_string() ? value.get<std::string>() : std::string();
   };
-  return {text("name", true), (folder / text("file", true)).string(), text("sha256", false)};
+  const std::string name = text("name", true);
+  if (!is_plane_name(name))
+    refuse(where, fmt::format("expected a name of at most {} letters, digits, '-' and '_' that begins with a letter, "
+                              "found \"{}\"",
+                              kMaxPlaneNameLength, name));
+  return {name, (folder / bytes_of_text(text("file", true))).string(), text("sha256", false)};
 }
 
 void read_files(const Json& recipe, const std::string& path, MaterialFiles& files) {
@@ -155,6 +170,7 @@ Json recipe_of(const Bundle& bundle) {
 BakeRequest read_recipe(const std::string& path) {
   const Json recipe = parsed_file(path);
   check_kind(recipe, path);
+  check_members(recipe, {"$schema", "asset", "files", "stages"}, path);
   BakeRequest request;
   read_files(recipe, path, request.convert.files);
   const Json stages = recipe.value("stages", Json::object());
@@ -181,7 +197,8 @@ BakeRequest read_recipe(const std::string& path) {
 
 bool is_up_to_date(const std::string& path, const BakeRequest& request) {
   const std::vector<SourceFile> sources = current_sources(request);
-  if (!fs::exists(path)) return false;
+  std::error_code failed;
+  if (!fs::exists(path, failed)) return false;
   IssueLog log(path, IssueLog::OnError::collect);
   const LoadedBundle loaded = load_bundle(path, {}, log);
   if (log.error_count() > 0) return false;

@@ -79,8 +79,8 @@ inline constexpr const char* kRecipeExtension = ".json";
 /// True for a path that names a recipe and not a picture.
 bool is_recipe(const std::string& path);
 
-/// The recipe that makes a bundle with these sources and stages. Throws Error(bad_data) when they did not come from
-/// this chain.
+/// The recipe that makes a bundle with these sources and stages. Names of files are bytes: with_text makes it JSON that
+/// read_recipe understands. Throws Error(bad_data) when they did not come from this chain.
 Json recipe_of(const Bundle& bundle);
 
 /// Reads a recipe. Files are found beside it. Throws Error(io), or Error(bad_data) with the place in the recipe.

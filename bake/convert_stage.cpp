@@ -51,6 +51,10 @@ void add_maps(Scale& scale, const ConvertRequest& request, const TilePlan& plan,
     const std::string& name = request.files.maps[i].name;
     Picture& picture = material.maps[i];
     warn_of_other_size(name, picture, plan, listener);
+    if (name == kHeightMap && has_steps(picture))
+      listener.warning(
+          fmt::format("map {}: slopes of {} bits, whose {} levels may be seen as steps; a picture of 16 bits is better",
+                      name, picture.source_bits, 1 << picture.source_bits));
     if (name == kHeightMap)
       scale.height = height_tile(plan, picture);
     else
@@ -62,6 +66,15 @@ void add_sources(Bundle& bundle, const ConvertRequest& request, const Material& 
   bundle.sources.push_back(source_of("color", material.color));
   for (size_t i = 0; i < material.maps.size(); ++i)
     bundle.sources.push_back(source_of(request.files.maps[i].name, material.maps[i]));
+}
+
+/// plan_tile, whose errors tell which picture they are about.
+TilePlan named_plan(ImageView<const V3f> source, const ConvertRequest& request) {
+  try {
+    return plan_tile(source, request.periodic);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", request.files.color.file, error.what()));
+  }
 }
 
 Json parameters_of(const ConvertRequest& asked, const ConvertRequest& effective) {
@@ -102,7 +115,7 @@ Bundle run_convert(const ConvertRequest& request, Listener& listener) {
 
   // A tile that closes, of the colour and, along the same cuts, of every map.
   const Image<V3f> source = interleave(material.color.planes);
-  const TilePlan plan = plan_tile(source, request.periodic);
+  const TilePlan plan = named_plan(source, request);
   tell_of_tile(plan, material.color.name, listener);
   Scale scale;
   scale.exemplar = half_exact_tile(plan, request.flatten, source);

@@ -14,6 +14,8 @@ class Listener {
 
   /// Something that the user should know, because the result may disappoint.
   virtual void warning(const std::string& text) = 0;
+  /// Something that the result lacks of what it replaces: true once the result is written, and not before.
+  virtual void loss(const std::string& text) { warning(text); }
   /// Something worth knowing.
   virtual void note(const std::string& text) = 0;
   /// Parameters and figures of a stage, for those who want to see everything.

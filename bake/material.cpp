@@ -1,15 +1,42 @@
 #include "bake/material.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <set>
 
 #include "libbake/base/half.h"
+#include "libbake/base/suggestion.h"
 
 namespace texbake {
 namespace {
 
 /// 8-bit sources are stored as halves (design: bundle, maps).
 constexpr int kHalfSourceBits = 8;
+
+constexpr const char* kOpacityMap = "opacity";
+
+/// `name` in lower-case letters alone.
+std::string letters_of(const std::string& name) {
+  std::string letters;
+  for (const char c : name)
+    if (std::isalpha(static_cast<unsigned char>(c)))
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return letters;
+}
+
+/// The maps that are not plain numbers, and what else they are called, as letters_of gives it.
+struct KnownMap {
+  const char* name;
+  std::vector<std::string> others;
+};
+const std::vector<KnownMap>& known_maps() {
+  static const std::vector<KnownMap> maps = {
+      {kNormalMap, {"normal", "normals", "normalmap", "normalgl", "normaldx", "norm", "nor", "nrm", "nrml", "nmap"}},
+      {kHeightMap,
+       {"height", "heights", "heightmap", "bump", "bumpmap", "displacement", "displace", "disp", "depth", "relief"}}};
+  return maps;
+}
 
 void check_names(const std::vector<MaterialFile>& maps) {
   std::set<std::string> names;
@@ -33,6 +60,15 @@ Picture read_noted(const MaterialFile& file, const ImportOptions& options, Pictu
   return picture;
 }
 
+/// Where the reader has said that alpha was dropped, and no map holds it.
+void tell_how_to_keep_alpha(const MaterialFiles& files, const Picture& color, Listener& listener) {
+  const bool was_told = std::ranges::any_of(
+      color.notes, [](const std::string& note) { return note.find("alpha was dropped") != std::string::npos; });
+  if (was_told && std::ranges::find(files.maps, kOpacityMap, &MaterialFile::name) == files.maps.end())
+    listener.warning(fmt::format("{}: to keep its alpha, save it as a gray picture of its own and add --map {}=FILE",
+                                 files.color.file, kOpacityMap));
+}
+
 /// The channels of `image`, one by one.
 void split(ImageView<const V3f> image, Image<float> (&planes)[3]) {
   for (int channel = 0; channel < 3; ++channel) {
@@ -54,11 +90,35 @@ void put_tile(const TilePlan& plan, const Picture& picture, Map& map) {
 
 }  // namespace
 
+std::string map_name_fault(const std::string& name) {
+  if (name == kColorRole || name == kClicksRole)
+    return fmt::format("expected another name: \"{}\" is that of another source of the bundle", name);
+  for (const KnownMap& map : known_maps()) {
+    if (name == map.name) return "";
+    const std::string letters = letters_of(name);
+    const bool is_alias = std::ranges::find(map.others, letters) != map.others.end();
+    // Nobody mistypes the first letter, but "weight" is a word.
+    const bool is_mistyped = letters.starts_with(map.name[0]) && edit_distance(letters, map.name) == 1;
+    if (is_alias || is_mistyped)
+      return fmt::format(
+          "would be taken for plain numbers; did you mean \"{0}\"? If not, give it a name such as \"{1}-data\"",
+          map.name, name);
+  }
+  return "";
+}
+
+std::vector<std::string> files_of(const MaterialFiles& files) {
+  std::vector<std::string> paths = {files.color.file};
+  for (const MaterialFile& map : files.maps) paths.push_back(map.file);
+  return paths;
+}
+
 Material read_material(const MaterialFiles& files, const ImportOptions& options, Listener& listener) {
   check_names(files.maps);
   listener.step("read");
   Material material;
   material.color = read_noted(files.color, options, PictureRole::color, listener);
+  tell_how_to_keep_alpha(files, material.color, listener);
   for (const MaterialFile& map : files.maps) {
     const PictureRole role = map.name == kNormalMap ? PictureRole::normal : PictureRole::data;
     material.maps.push_back(read_noted(map, options, role, listener));
@@ -79,6 +139,20 @@ Map map_tile(const TilePlan& plan, const std::string& name, const Picture& pictu
   for (Image<float>& plane : map.planes)
     for (float& value : plane) value = half_exact(value);
   return map;
+}
+
+bool has_steps(const Picture& picture) {
+  constexpr double kFewest = 0.5;  // of the neighbors
+  if (picture.is_float || picture.source_bits > kHalfSourceBits) return false;
+  const float code = 1.0f / static_cast<float>((1 << picture.source_bits) - 1);
+  const Image<float>& plane = picture.planes[0];
+  size_t level = 0, single = 0, steep = 0;
+  for (int y = 0; y < plane.height(); ++y)
+    for (int x = 1; x < plane.width(); ++x) {
+      const float step = std::abs(plane(x, y) - plane(x - 1, y));
+      ++(step < code / 2 ? level : step < 3 * code / 2 ? single : steep);
+    }
+  return static_cast<double>(level) > kFewest * static_cast<double>(level + single + steep) && single > steep;
 }
 
 Image<float> height_tile(const TilePlan& plan, const Picture& picture) {

@@ -52,6 +52,10 @@ struct MaterialFile {
   std::string sha256;  ///< of the content that is expected; "": any
 };
 
+/// What is wrong with `name` as that of a map, in words that suggest a better one; "" for nothing. Of names that mean
+/// relief or vectors to people, only kHeightMap and kNormalMap mean them here: others are taken for plain numbers.
+std::string map_name_fault(const std::string& name);
+
 /// The files, as given.
 struct MaterialFiles {
   MaterialFile color{.name = "color", .file = "", .sha256 = ""};
@@ -60,6 +64,9 @@ struct MaterialFiles {
 
 inline constexpr const char* kHeightMap = "height";  ///< the map that is relief: its own plane of the bundle
 inline constexpr const char* kNormalMap = "normal";  ///< the map that holds vectors
+
+/// The paths of all of them.
+std::vector<std::string> files_of(const MaterialFiles& files);
 
 /// The pictures, read.
 struct Material {
@@ -76,6 +83,10 @@ Map map_tile(const TilePlan& plan, const std::string& name, const Picture& pictu
 
 /// The tile of a height map: one channel, 0 … 1. Throws Error(bad_data) when the picture has colours or other values.
 Image<float> height_tile(const TilePlan& plan, const Picture& picture);
+
+/// Is the first channel a slope of so few levels that they will be seen as steps: integers of at most 8 bits, most of
+/// them equal to their left neighbors, and most of the others one code from it?
+bool has_steps(const Picture& picture);
 
 /// A file as the bundle's list of sources names it.
 SourceFile source_of(const std::string& role, const Picture& picture);

@@ -15,10 +15,12 @@ RunningStage::RunningStage(Bundle& bundle, std::string verb, Listener& listener)
 
 void RunningStage::replace() {
   listener_.finish_step();
+  const bool again = find_stage(bundle_, verb_) != nullptr;
   const auto dropped = drop_stage(bundle_, verb_);
-  if (!dropped.empty())
-    listener_.warning(fmt::format("{} runs again: dropped what was derived from its last result ({})", verb_,
-                                  fmt::join(dropped, ", ")));
+  if (dropped.empty()) return;
+  listener_.loss(fmt::format("{}: dropped {} ({})", verb_ + (again ? " runs again" : " had not run before"),
+                             again ? "what was derived from its last result" : "what was made without it",
+                             fmt::join(dropped, ", ")));
 }
 
 void RunningStage::finish(Json parameters, Json figures) {

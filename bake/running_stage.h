@@ -12,8 +12,8 @@ class RunningStage {
  public:
   /// Changes nothing in `bundle`: a stage that throws at work leaves it as it was. Borrows both references.
   RunningStage(Bundle& bundle, std::string verb, Listener& listener);
-  /// The work is done and its result is about to be put into the bundle: drops the last result of `verb`, and with a
-  /// warning what had been derived from it.
+  /// The work is done and its result is about to be put into the bundle: drops the last result of `verb`, and what
+  /// had been derived from it, which is told as a loss.
   void replace();
   /// Records the stage: `parameters` in kebab-case, `figures` in camelCase.
   void finish(Json parameters, Json figures);

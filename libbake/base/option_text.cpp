@@ -1,5 +1,6 @@
 #include "libbake/base/option_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -25,9 +26,8 @@ std::optional<T> whole_number(std::string_view text) {
 
 bool inside(const Field& field, double value) { return value >= field.min && value <= field.max; }
 
-bool is_name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_name_character(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_'; }
 
 }  // namespace
 
@@ -59,7 +59,7 @@ size_t parse_name(std::string_view flag, std::span<const std::string_view> names
 }
 
 PixelSize parse_size(std::string_view flag, std::string_view text) {
-  const size_t cross = text.find('x');
+  const size_t cross = text.find_first_of("xX,");
   const auto width = whole_number<int>(text.substr(0, cross));
   const auto height = cross == text.npos ? width : whole_number<int>(text.substr(cross + 1));
   if (!width || !height || *width < 1 || *height < 1) refuse(flag, "WIDTHxHEIGHT in pixels, such as 4096x2048", text);
@@ -85,13 +85,21 @@ uint64_t parse_bytes(std::string_view flag, std::string_view text) {
   return static_cast<uint64_t>(bytes);
 }
 
+bool is_plane_name(std::string_view name) {
+  return !name.empty() && name.size() <= kMaxPlaneNameLength && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), is_name_character);
+}
+
 NamedFile parse_named_file(std::string_view flag, std::string_view text) {
   const size_t equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   if (equals == text.npos || equals + 1 == text.size() || name.empty())
     refuse(flag, "NAME=FILE, such as normal=rock_normal.png", text);
-  for (const char c : name)
-    if (!is_name_character(c)) refuse(flag, "a NAME of letters, digits, '-' and '_'", text);
+  if (!is_plane_name(name))
+    refuse(
+        flag,
+        fmt::format("a NAME of at most {} letters, digits, '-' and '_' that begins with a letter", kMaxPlaneNameLength),
+        text);
   return {std::string(name), std::string(text.substr(equals + 1))};
 }
 

@@ -21,7 +21,7 @@ int64_t parse_integer(std::string_view flag, const Field& field, std::string_vie
 /// The position of `text` among `names`; the error suggests the nearest.
 size_t parse_name(std::string_view flag, std::span<const std::string_view> names, std::string_view text);
 
-/// "4096x2048" → 4096, 2048; both ≥ 1.
+/// "4096x2048", "4096X2048" or "4096,2048" → 4096, 2048; both ≥ 1.
 struct PixelSize {
   int width = 0;
   int height = 0;
@@ -38,7 +38,11 @@ DecimalPoint parse_point(std::string_view flag, std::string_view text);
 /// "512M", "4G", "4GiB", "1000000": bytes; K, M, G, T are powers of 1024.
 uint64_t parse_bytes(std::string_view flag, std::string_view text);
 
-/// "NAME=FILE" → NAME, FILE. NAME is letters, digits, '-' and '_', so that it can name a plane of the bundle.
+/// May `name` name a plane of a bundle? At most 63 letters, digits, '-' and '_', the first a letter.
+inline constexpr size_t kMaxPlaneNameLength = 63;
+bool is_plane_name(std::string_view name);
+
+/// "NAME=FILE" → NAME, FILE; NAME may name a plane.
 struct NamedFile {
   std::string name;
   std::string file;

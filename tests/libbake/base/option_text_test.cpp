@@ -54,7 +54,9 @@ TEST(OptionText, SizesAreTwoWholeNumbersFromOne) {
   EXPECT_EQ(parse_size("size", "4096x2048").width, 4096);
   EXPECT_EQ(parse_size("size", "4096x2048").height, 2048);
   EXPECT_EQ(parse_size("size", "64").height, 64);
-  for (const char* wrong : {"", "x", "0x4", "4x0", "-4x4", "4x", "4x4x4", "4X4", "4.5x4", "99999999999x1"})
+  EXPECT_EQ(parse_size("size", "64X32").height, 32);
+  EXPECT_EQ(parse_size("size", "64,32").width, 64);
+  for (const char* wrong : {"", "x", "0x4", "4x0", "-4x4", "4x", "4x4x4", "4,4x4", "4X", "4.5x4", "99999999999x1"})
     EXPECT_NE(refusal([&] { parse_size("size", wrong); }), "accepted") << wrong;
 }
 
@@ -71,8 +73,10 @@ TEST(OptionText, NamedFilesKeepEverythingAfterTheFirstEqualsSign) {
   const NamedFile map = parse_named_file("map", "normal=a=b.png");
   EXPECT_EQ(map.name, "normal");
   EXPECT_EQ(map.file, "a=b.png");
-  for (const char* wrong : {"normal", "=a.png", "normal=", "nor mal=a.png", "../x=a.png", ""})
+  for (const char* wrong : {"normal", "=a.png", "normal=", "nor mal=a.png", "../x=a.png", "", "1=a.png", "-a=a.png"})
     EXPECT_NE(refusal([&] { parse_named_file("map", wrong); }), "accepted") << wrong;
+  EXPECT_TRUE(is_plane_name(std::string(63, 'a')));
+  EXPECT_FALSE(is_plane_name(std::string(64, 'a')));
 }
 
 }  // namespace
