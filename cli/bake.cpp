@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/convert_flags.h"
+#include "cli/kept_files.h"
 #include "cli/stage_command.h"
 #include "formats/bundle_io.h"
 
@@ -17,17 +18,24 @@ struct BakeFlags {
   BakeRequest bake;
 };
 
+/// The recipe, where there is one, and the pictures.
+std::vector<std::string> inputs_of(const BakeFlags& request) {
+  std::vector<std::string> inputs = files_of(request.bake.convert.files);
+  inputs.push_back(request.input);
+  return inputs;
+}
+
 Outcome run(const BakeFlags& request, Console& console) {
   const std::string path = request.output.empty() ? default_bundle_path(request.input) : request.output;
   check_request(request.bake);
+  check_keeps_inputs(path, inputs_of(request));
   check_bundle_target(path);
   if (request.if_changed && is_up_to_date(path, request.bake)) {
     console.note(path + " is up to date");
     return written_bundle(path, read_bundle(path).stages);
   }
   const Bundle bundle = bake(request.bake, console);
-  console.step("write");
-  write_bundle(bundle, path);
+  write_new_bundle(bundle, path, console);
   return written_bundle(path, bundle.stages);
 }
 

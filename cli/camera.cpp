@@ -1,7 +1,6 @@
 #include "cli/camera.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "bake/option_json.h"
 #include "formats/input_file.h"
@@ -63,10 +62,7 @@ Json parsed(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error))
     throw Error(ErrorKind::io, fmt::format("{}: expected a camera file, found a folder", path));
-  if (!std::ifstream(path))
-    throw Error(ErrorKind::io, fmt::format("{}: expected a readable camera file, found none", path));
-  IssueLog log(path, IssueLog::OnError::throw_first);
-  return parse_json(file_bytes(path), log);
+  return parse_json(file_bytes(path), path);
 }
 
 }  // namespace

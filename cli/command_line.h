@@ -18,7 +18,7 @@ inline constexpr const char* kHelpSummary =
     "show the help of a verb: texbake help VERB, the same as texbake VERB --help";
 inline constexpr const char* kProgramExample =
     "  texbake bake leaves.jpg -o leaves.texbundle\n"
-    "  texbake render leaves.texbundle -o leaves.png --size 4096x4096";
+    "  texbake render leaves.texbundle -o leaves_large.png --size 4096x4096";
 
 /// A verb whose arguments are declared. `action` runs it with what a parse has assigned to them.
 struct Verb {

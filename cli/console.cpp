@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstdlib>
 
 #include "cli/progress_line.h"
+#include "cli/standard_streams.h"
 
 namespace texbake {
 namespace {
@@ -42,8 +42,7 @@ Console::~Console() { finish_step(); }
 void Console::say(const char* label, const char* color, const std::string& text) {
   if (line_) line_->clear();
   const bool paint = colored_ && *color;
-  fmt::print(stderr, "{}{}{}{}\n", paint ? color : "", label, paint ? kPlain : "", text);
-  std::fflush(stderr);
+  write_to_stderr(fmt::format("{}{}{}{}\n", paint ? color : "", label, paint ? kPlain : "", text));
 }
 
 void Console::error(const std::string& text) { say("texbake: ", kRed, text); }
@@ -51,6 +50,13 @@ void Console::error(const std::string& text) { say("texbake: ", kRed, text); }
 void Console::warning(const std::string& text) {
   warnings_.push_back(text);
   if (verbosity_ != Verbosity::quiet) say("warning: ", kYellow, text);
+}
+
+void Console::loss(const std::string& text) { losses_.push_back(text); }
+
+void Console::tell_losses() {
+  for (const std::string& text : losses_) warning(text);
+  losses_.clear();
 }
 
 void Console::note(const std::string& text) {

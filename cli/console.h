@@ -38,8 +38,12 @@ class Console : public Listener {
 
   void error(const std::string& text);
   void warning(const std::string& text) override;  ///< also kept for the JSON result
+  void loss(const std::string& text) override;     ///< kept until tell_losses
   void note(const std::string& text) override;     ///< unless quiet
   void detail(const std::string& text) override;   ///< only when verbose
+
+  /// Warns of every loss: the result that replaces something has been written.
+  void tell_losses();
 
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -52,7 +56,7 @@ class Console : public Listener {
 
   Verbosity verbosity_;
   bool colored_;
-  std::vector<std::string> warnings_;
+  std::vector<std::string> warnings_, losses_;
   std::unique_ptr<ProgressLine> line_;
   std::string step_;
   std::chrono::steady_clock::time_point step_begin_;

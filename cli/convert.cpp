@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/convert_flags.h"
+#include "cli/kept_files.h"
 #include "cli/sheets.h"
 #include "cli/stage_command.h"
 #include "formats/bundle_io.h"
@@ -19,14 +20,16 @@ struct ConvertFlags {
 Outcome run(const ConvertFlags& request, Console& console) {
   const std::string path =
       request.output.empty() ? default_bundle_path(request.convert.files.color.file) : request.output;
+  const std::vector<std::string> inputs = files_of(request.convert.files);
+  check_keeps_inputs(path, inputs);
+  check_keeps_inputs(request.sheet, inputs);
   check_bundle_target(path);
   check_sheet(request.sheet);
   const Bundle bundle = run_convert(request.convert, console);
   if (!request.sheet.empty())
     write_sheet(request.sheet,
                 convert_sheet(bundle.scales.front().exemplar, request.convert.convert, console.step("sheet")));
-  console.step("write");
-  write_bundle(bundle, path);
+  write_new_bundle(bundle, path, console);
   return written_bundle(path, bundle.stages);
 }
 

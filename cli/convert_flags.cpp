@@ -14,6 +14,8 @@ void add_convert_flags(Arguments& arguments, ConvertRequest& request) {
                     .repeat = Repeat::each,
                     .assign = [&request](const std::string& text) {
                       const NamedFile map = parse_named_file("map", text);
+                      if (const std::string fault = map_name_fault(map.name); !fault.empty())
+                        throw Error(ErrorKind::usage, fmt::format("--map {}: {}", map.name, fault));
                       request.files.maps.push_back({.name = map.name, .file = map.file, .sha256 = ""});
                     }});
   for_each_options(request, [&](auto& options) { add_flags(arguments, options, kGroup); });

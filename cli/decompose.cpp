@@ -15,7 +15,7 @@ struct DecomposeFlags {
 Outcome run(const DecomposeFlags& request, Console& console) {
   check_options(request.options);
   check_sheet(request.sheet);
-  return change_bundle(request.paths, "decompose", console,
+  return change_bundle(request.paths, "decompose", request.sheet, console,
                        [&](Bundle& bundle) { run_decompose(bundle, request.options, request.sheet, console); });
 }
 

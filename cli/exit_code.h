@@ -17,13 +17,14 @@ enum class ExitCode {
   internal = 8,     ///< internal error (please report it)
   // 128 + the number of the signal that ended the program, temporary files removed:
   interrupted = 130,
+  no_reader = 141,  ///< whoever reads the result on stdout has gone
   terminated = 143,
 };
 
 inline constexpr ExitCode kExitCodes[] = {ExitCode::done,        ExitCode::no,        ExitCode::usage,
                                           ExitCode::bad_data,    ExitCode::io,        ExitCode::unsupported,
                                           ExitCode::infeasible,  ExitCode::limit,     ExitCode::internal,
-                                          ExitCode::interrupted, ExitCode::terminated};
+                                          ExitCode::interrupted, ExitCode::no_reader, ExitCode::terminated};
 
 inline ExitCode exit_code_of(ErrorKind kind) {
   switch (kind) {
@@ -66,6 +67,8 @@ inline const char* exit_name(ExitCode code) {
       return "internal";
     case ExitCode::interrupted:
       return "interrupted";
+    case ExitCode::no_reader:
+      return "no-reader";
     case ExitCode::terminated:
       return "terminated";
   }
@@ -94,9 +97,13 @@ inline const char* exit_meaning(ExitCode code) {
     case ExitCode::limit:
       return "a limit that was set, such as --max-memory, was reached";
     case ExitCode::internal:
-      return "an internal error; please report it with the command line and the input";
+      return "an internal error, which please report with the command line and the input; or the system has no memory "
+             "or "
+             "thread left";
     case ExitCode::interrupted:
       return "interrupted (SIGINT); temporary files were removed";
+    case ExitCode::no_reader:
+      return "the reader of standard output has gone; what was to be written to files has been written";
     case ExitCode::terminated:
       return "terminated (SIGTERM); temporary files were removed";
   }

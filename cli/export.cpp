@@ -3,6 +3,7 @@
 
 #include "cli/bundle_path.h"
 #include "cli/command.h"
+#include "cli/kept_files.h"
 #include "cli/option_flags.h"
 #include "formats/bundle_io.h"
 #include "formats/drawn_bundle.h"
@@ -40,6 +41,7 @@ Outcome run(const ExportFlags& request, Console& console) {
     throw Error(ErrorKind::usage, "expected a target to export to: --web makes a folder that a browser opens");
   check_options(request.options);
   const std::string folder = request.output.empty() ? default_web_folder(request.bundle) : request.output;
+  check_keeps_inputs(folder, std::vector{request.bundle});
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
   console.step("export");

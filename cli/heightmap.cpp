@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "bake/heightmap_stage.h"
+#include "cli/kept_files.h"
 #include "cli/option_flags.h"
 #include "cli/stage_command.h"
 #include "formats/image_writer.h"
@@ -40,11 +41,12 @@ Outcome run(const HeightmapFlags& request, Console& console) {
   if (!preview.file.empty()) {
     check_picture_name(preview.file);
     check_file_target(preview.file);
+    check_keeps_inputs(preview.file, std::vector{request.clicks});
   }
   const ClickFile clicks = read_clicks(request.clicks);
   const ClickSpace space = request.in_source ? ClickSpace::source : ClickSpace::tile;
   Image<V3f> lit;
-  Outcome outcome = change_bundle(request.paths, "heightmap", console, [&](Bundle& bundle) {
+  Outcome outcome = change_bundle(request.paths, "heightmap", preview.file, console, [&](Bundle& bundle) {
     run_heightmap(bundle, clicks, space, request.options, console);
     const Scale& scale = bundle.scales.front();
     if (!preview.file.empty()) lit = shaded(scale.base(), *scale.height, preview.depth_px);

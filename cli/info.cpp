@@ -20,7 +20,7 @@ Outcome run(const InfoFlags& request, Console&) {
   Outcome outcome;
   if (request.recipe) {
     outcome.result["recipe"] = recipe_of(bundle);
-    outcome.text = print_json(outcome.result["recipe"]);
+    outcome.text = print_json(with_text(outcome.result["recipe"]));
   } else {
     outcome.result = info_json(bundle);
     outcome.text = info_text(outcome.result, request.bundle);

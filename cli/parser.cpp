@@ -56,6 +56,9 @@ class WordFinder {
   void assign() const;
 
  private:
+  /// `words` with "-o=FILE" as "-o" "FILE": CLI11 takes the sign for a part of the value.
+  std::vector<std::string> unjoined(Words words) const;
+
   std::string help_;
   CLI::App app_;
   std::vector<const Argument*> arguments_;
@@ -76,9 +79,26 @@ void WordFinder::declare(const Arguments& arguments) {
   }
 }
 
+std::vector<std::string> WordFinder::unjoined(Words words) const {
+  std::vector<std::string> out;
+  bool has_ended = false;  // "--": all that follows is no option
+  for (const std::string& word : words) {
+    const bool is_joined = !has_ended && word.size() > 2 && word[0] == '-' && word[1] != '-' && word[2] == '=' &&
+                           std::ranges::any_of(arguments_, [&](const Argument* argument) {
+                             return argument->form == Form::option && argument->letter == word[1];
+                           });
+    out.push_back(is_joined ? word.substr(0, 2) : word);
+    if (is_joined) out.push_back(word.substr(3));
+    has_ended = has_ended || word == "--";
+  }
+  return out;
+}
+
 void WordFinder::find(Words words) {
   try {
-    app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    std::vector<std::string> separate = unjoined(words);
+    std::ranges::reverse(separate);
+    app_.parse(std::move(separate));
     for (const Argument* argument : arguments_)
       if (argument->form == Form::flag && has(argument->name) && app_["--" + argument->name]->as<bool>())
         flags_.insert(argument->name);
@@ -114,12 +134,19 @@ void WordFinder::check_excluded(const WordFinder& before) const {
   }
 }
 
+void assign_value(const Argument& argument, const std::string& word) {
+  if (word.empty() && argument.names != Names::nothing)
+    refuse(fmt::format("{}: expected the name of a {}, found an empty one", name_of(argument),
+                       argument.names == Names::file ? "file" : "folder"));
+  argument.assign(word);
+}
+
 void WordFinder::assign() const {
   for (const Argument* argument : arguments_) {
     const CLI::Option& option = *app_.get_option(name_of(*argument));
     if (option.count() == 0 || !argument->assign) continue;
     if (argument->form != Form::flag)
-      for (const std::string& word : option.reduced_results()) argument->assign(word);
+      for (const std::string& word : option.reduced_results()) assign_value(*argument, word);
     else if (flags_.contains(argument->name))
       argument->assign("");
   }

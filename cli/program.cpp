@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <new>
-#include <system_error>
 
 #include "cli/help.h"
 #include "cli/parser.h"
 #include "cli/resource_limits.h"
 #include "cli/signals.h"
+#include "cli/standard_streams.h"
+#include "formats/json_text.h"
 #include "formats/safe_file.h"
 
 namespace texbake {
@@ -21,6 +24,7 @@ struct Ending {
   ExitCode code = ExitCode::done;
   std::string error;  ///< "" when there was none
   Outcome outcome;
+  bool is_fault = false;  ///< of this program: not of what it was given, nor of the system
 };
 
 bool asks_for_json(const std::vector<std::string>& words) { return std::ranges::find(words, "--json") != words.end(); }
@@ -37,9 +41,9 @@ Json envelope(const std::string& verb, const Ending& ending, const std::vector<s
   return json;
 }
 
-/// Writes `text` to stdout and makes sure that it arrived.
-bool print_result(const std::string& text) {
-  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+/// Did the system refuse to start a thread? Libraries tell it in exceptions of their own, in the words of the system.
+bool tells_of_no_thread(const std::exception& error) {
+  return std::string_view(error.what()).find(std::strerror(EAGAIN)) != std::string_view::npos;
 }
 
 /// Runs the action; every exception becomes an exit code and a message.
@@ -47,6 +51,7 @@ Ending run_action(const Action& action, const GlobalOptions& global, Console& co
   const auto& limit = global.max_memory_bytes;
   Ending ending;
   try {
+    end_cleanly_on_signals(remove_all_unfinished);
     const ThreadLimit threads(global.threads);
     if (limit) limit_memory(*limit);
     ending.outcome = action(console);
@@ -59,13 +64,18 @@ Ending run_action(const Action& action, const GlobalOptions& global, Console& co
           ExitCode::limit, fmt::format("more memory is needed than --max-memory allows ({} MiB)", *limit >> 20), {}};
     else
       ending = {ExitCode::internal, "the system has no memory left; a smaller input or window needs less", {}};
-  } catch (const std::system_error& error) {
-    if (limit && error.code() == std::errc::resource_unavailable_try_again)
+  } catch (const std::filesystem::filesystem_error& error) {
+    ending = {ExitCode::io, fmt::format("{}: {}", error.path1().string(), error.code().message()), {}};
+  } catch (const std::exception& error) {
+    if (!tells_of_no_thread(error))
+      ending = {ExitCode::internal, error.what(), {}, true};
+    else if (limit)
       ending = {ExitCode::limit, fmt::format("--max-memory ({} MiB) leaves no room for threads", *limit >> 20), {}};
     else
-      ending = {ExitCode::internal, error.what(), {}};
-  } catch (const std::exception& error) {
-    ending = {ExitCode::internal, error.what(), {}};
+      ending = {ExitCode::internal,
+                "the system lets no further thread be started; end other programs, raise the limit (ulimit -u), or try "
+                "--threads 1",
+                {}};
   }
   return ending;
 }
@@ -73,10 +83,11 @@ Ending run_action(const Action& action, const GlobalOptions& global, Console& co
 int finish(const std::string& verb, const Ending& ending, bool json, Console& console) {
   console.finish_step();
   if (!ending.error.empty()) console.error(verb.empty() ? ending.error : verb + ": " + ending.error);
-  if (ending.code == ExitCode::internal && !ending.error.empty())
-    console.error("this is an internal error: please report it with the command line and the input");
-  const std::string text = json ? envelope(verb, ending, console.warnings()).dump(2) + "\n" : ending.outcome.text;
-  if (!print_result(text)) {
+  if (ending.is_fault) console.error("this is an internal error: please report it with the command line and the input");
+  const std::string text = json ? print_lines(envelope(verb, ending, console.warnings())) : ending.outcome.text;
+  const Written written = write_to_stdout(text);
+  if (written == Written::no_reader) return static_cast<int>(ExitCode::no_reader);
+  if (written == Written::not_whole) {
     console.error("standard output: the result could not be written; is the disk full?");
     return static_cast<int>(ExitCode::io);
   }
@@ -89,12 +100,9 @@ std::string answer(const CommandLine& line, const Asked& asked) {
   return asked.verb ? help_text(line, *asked.verb, help_width()) : help_text(line, help_width());
 }
 
-}  // namespace
-
-int run_program(int argc, const char* const* argv) {
-  end_cleanly_on_signals(remove_all_unfinished);
+/// The whole run; returns the exit code.
+int run_words(const std::vector<std::string>& words) {
   Console plain(Verbosity::normal, ProgressMode::never);
-  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const CommandLine line;
   Asked asked;
   try {
@@ -109,6 +117,18 @@ int run_program(int argc, const char* const* argv) {
   const Ending ending = run_action(asked.verb->action, line.global(), console);
   const int code = finish(asked.verb->name(), ending, line.global().json, console);
   console.detail(fmt::format("peak memory: {} MiB", peak_memory_bytes() >> 20));
+  return code;
+}
+
+}  // namespace
+
+void expect_failures() { end_cleanly_on_exceptions(remove_all_unfinished, static_cast<int>(ExitCode::internal)); }
+
+int run_program(int argc, const char* const* argv) {
+  open_standard_streams();
+  end_cleanly_on_exit();
+  const int code = run_words({argv + std::min(argc, 1), argv + argc});
+  expect_end();
   return code;
 }
 

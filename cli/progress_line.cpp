@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+
+#include "cli/standard_streams.h"
 
 namespace texbake {
 namespace {
@@ -33,20 +34,19 @@ void ProgressLine::end() {
 
 void ProgressLine::clear() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  write_to_stderr("\r\033[K");
   drawn_ = false;
 }
 
 void ProgressLine::write(double done) {
   if (form_ == Form::json) {
-    fmt::print(stderr, "{{\"event\":\"progress\",\"step\":\"{}\",\"done\":{:.3f}}}\n", step_, done);
+    write_to_stderr(fmt::format("{{\"event\":\"progress\",\"step\":\"{}\",\"done\":{:.3f}}}\n", step_, done));
   } else {
     const int filled = static_cast<int>(done * kBarWidth);
-    fmt::print(stderr, "\r{:<16} [{:=<{}}{:{}}] {:3.0f} %", step_, "", filled, "", kBarWidth - filled, done * 100);
+    write_to_stderr(
+        fmt::format("\r{:<16} [{:=<{}}{:{}}] {:3.0f} %", step_, "", filled, "", kBarWidth - filled, done * 100));
     drawn_ = true;
   }
-  std::fflush(stderr);
 }
 
 }  // namespace texbake

@@ -5,6 +5,7 @@
 #include "cli/bundle_path.h"
 #include "cli/command.h"
 #include "cli/gl_backend.h"
+#include "cli/kept_files.h"
 #include "cli/option_flags.h"
 #include "cli/relief_options.h"
 #include "cli/view_options.h"
@@ -141,20 +142,34 @@ void check(const RenderFlags& request, const std::string& path) {
   check_request(picture);
   check_backend(picture, request.gl.backend);
   check_picture_name(path, request.options.bits);
+  check_picture_size(path, picture.width(), picture.height());
   check_file_target(path);
 }
 
+/// A word before a picture that takes hours, and a disk, is begun.
+void tell_of_size(const PictureFormat& format, Console& console) {
+  constexpr double kMany = 1 << 28, kMillion = 1e6;
+  const double pixels = static_cast<double>(format.width) * format.height;
+  if (pixels > kMany)
+    console.warning(
+        fmt::format("--size: {} x {} are {:.0f} million pixels, which take long to draw and much of the disk; "
+                    "Ctrl-C ends the rendering and leaves nothing behind",
+                    format.width, format.height, pixels / kMillion));
+}
+
 Outcome run(const RenderFlags& request, Console& console) {
-  const std::string path = request.output.empty() ? default_picture_path(request.bundle, ".png") : request.output;
+  const std::string path = request.output.empty() ? default_picture_path(request.bundle) : request.output;
   check(request, path);
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
+  check_keeps_sources(path, bundle);
   const Drawing drawing(drawn_material(bundle), draw_request_of(request, bundle.scales.back().size()));
   const PictureFormat format{.width = drawing.request().width(),
                              .height = drawing.request().height(),
                              .channels = drawing.channels(),
                              .role = picture_role(bundle, drawing.request().map),
                              .samples = request.options.bits};
+  tell_of_size(format, console);
   stream(path, format, row_drawer(drawing, request.gl), console);
   return {.text = path + "\n", .result = {{"output", path}}};
 }
@@ -166,8 +181,8 @@ Action declare_render(Arguments& arguments) {
                     .letter = 'o',
                     .value = "FILE",
                     .names = Names::file,
-                    .standard = "NAME.png here",
-                    .help = "the picture to write, .png or .exr; default: NAME.png here",
+                    .standard = "NAME_render.png here",
+                    .help = "the picture to write: .png, .exr, .tif or .jpg",
                     .assign = into(request->output)});
   add_flags(arguments, request->options, "Options");
   add_flags(arguments, request->window, "Options");
@@ -189,12 +204,12 @@ Action declare_render(Arguments& arguments) {
 
 Command render_command() {
   return {"render", "bundle → picture: draw a window of the infinite texture, or an endless plane in perspective",
-          "  texbake render leaves.texbundle -o leaves.png --size 4096x4096\n"
+          "  texbake render leaves.texbundle -o leaves_large.png --size 4096x4096\n"
           "  texbake render leaves.texbundle -o patches.png --show patches --origin -512,99999999999\n"
-          "  texbake render rock.texbundle -o normal.png --map normal\n"
-          "  texbake render moss.texbundle -o moss.png --rotate 30 --stretch 2,1 --turbulence 12\n"
+          "  texbake render rock.texbundle -o rock_normals.png --map normal\n"
+          "  texbake render moss.texbundle -o moss_turned.png --rotate 30 --stretch 2,1 --turbulence 12\n"
           "  texbake render leaves.texbundle -o floor.png --size 1200x800 --view plane --camera-height 600 --pitch 15\n"
-          "  texbake render rock.texbundle -o rock.png --relief 24 --view-direction 1,0,1 --light -1,-1,1\n"
+          "  texbake render rock.texbundle -o rock_lit.png --relief 24 --view-direction 1,0,1 --light -1,-1,1\n"
           "  texbake render leaves.texbundle -o leaves.exr --bits float --backend gl",
           declare_render};
 }

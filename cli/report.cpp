@@ -6,9 +6,11 @@
 #include "bake/report_of_bundle.h"
 #include "cli/bundle_path.h"
 #include "cli/command.h"
+#include "cli/kept_files.h"
 #include "cli/option_flags.h"
 #include "cli/report_json.h"
 #include "formats/bundle_io.h"
+#include "formats/byte_text.h"
 #include "formats/safe_file.h"
 #include "pages/report_page.h"
 
@@ -48,7 +50,7 @@ struct ReportFlags {
 
 void write_page(const Report& report, const ReportFlags& request, const Bundle& bundle) {
   const auto& colors = bundle.scales.back().colors;
-  const std::string name = std::filesystem::path(request.bundle).filename().string();
+  const std::string name = text_of_bytes(std::filesystem::path(request.bundle).filename().string());
   SafeFile file(request.output);
   file.write(report_page(report, name, colors ? &colors->palette : nullptr));
   file.commit();
@@ -80,9 +82,13 @@ std::string text_of(const Report& report, const ReportFlags& request) {
 
 Outcome run(const ReportFlags& request, Console& console) {
   check_options(request.options);
-  if (!request.output.empty()) check_file_target(request.output);
+  if (!request.output.empty()) {
+    check_page_name(request.output);
+    check_file_target(request.output);
+  }
   console.step("read");
   const Bundle bundle = read_bundle(request.bundle);
+  check_keeps_sources(request.output, bundle);
   const Report result = report(report_input(bundle), request.options, console.step("measure"));
   if (!request.output.empty()) {
     console.step("write");
@@ -101,7 +107,7 @@ Action declare_report(Arguments& arguments) {
                     .value = "FILE",
                     .names = Names::file,
                     .standard = "no page",
-                    .help = "the page to write, one HTML file",
+                    .help = "the page to write, one .html file",
                     .assign = into(request->output)});
   // Declared first, so that flags that follow change what it sets.
   arguments.flag({.name = "quick",

@@ -6,7 +6,10 @@
 #include <tbb/info.h>
 
 #include <fstream>
+#include <latch>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "libbake/base/error.h"
 
@@ -23,11 +26,30 @@ uint64_t data_bytes() {
   return 0;
 }
 
+/// Starts `count` threads at once, and ends them: TBB, which will start as many, does not tell its caller when the
+/// system has none left. Throws std::system_error.
+void try_threads(int count) {
+  std::latch begin(1);
+  std::vector<std::thread> threads;
+  const auto end_all = [&] {
+    begin.count_down();
+    for (std::thread& thread : threads) thread.join();
+  };
+  try {
+    while (static_cast<int>(threads.size()) < count) threads.emplace_back([&begin] { begin.wait(); });
+  } catch (...) {
+    end_all();
+    throw;
+  }
+  end_all();
+}
+
 }  // namespace
 
-ThreadLimit::ThreadLimit(int threads)
-    : control_(new tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                       static_cast<size_t>(threads > 0 ? threads : tbb::info::default_concurrency()))) {
+ThreadLimit::ThreadLimit(int threads) {
+  const int count = threads > 0 ? threads : tbb::info::default_concurrency();
+  try_threads(count - 1);  // one is the caller's
+  control_ = new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(count));
 }
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }

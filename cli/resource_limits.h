@@ -5,7 +5,8 @@
 
 namespace texbake {
 
-/// Lets stages use `threads` threads, 0 for all, for as long as the object lives. Never changes a result.
+/// Lets stages use `threads` threads, 0 for all, for as long as the object lives. Never changes a result. Throws
+/// std::system_error where the system does not let that many be started.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -15,7 +16,7 @@ class ThreadLimit {
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;
 
-  void* control_;
+  void* control_ = nullptr;
 };
 
 /// From now on an allocation that would take the program's own memory (heap, stacks; not the code it has loaded) past

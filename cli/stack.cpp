@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "bake/stack_stage.h"
+#include "cli/kept_files.h"
 #include "cli/option_flags.h"
 #include "cli/stage_command.h"
 #include "formats/bundle_io.h"
@@ -25,13 +26,13 @@ Outcome run(const StackFlags& request, Console& console) {
   check_count(request.inputs);
   check_options(request.options);
   transfers_of(request.options, request.inputs.size());
+  check_keeps_inputs(request.output, request.inputs);
   check_bundle_target(request.output);
   console.step("read");
   std::vector<NamedBundle> bundles;
   for (const std::string& path : request.inputs) bundles.push_back({path, read_bundle(path)});
   const Bundle stack = run_stack(std::move(bundles), request.options, console);
-  console.step("write");
-  write_bundle(stack, request.output);
+  write_new_bundle(stack, request.output, console);
   return written_bundle(request.output, {stack.stages.back()});
 }
 

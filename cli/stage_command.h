@@ -26,9 +26,13 @@ void add_bundle_paths(Arguments& arguments, BundlePaths& paths);
 void add_new_bundle_path(Arguments& arguments, std::string& path);
 void add_changed_bundle_path(Arguments& arguments, std::string& path);
 
-/// Reads the bundle, lets `change` work on it, writes it. The outcome tells the record of stage `verb`.
-Outcome change_bundle(const BundlePaths& paths, const std::string& verb, Console& console,
+/// Reads the bundle, lets `change` work on it, writes it. The outcome tells the record of stage `verb`. `picture` is a
+/// file that `change` writes too, or "".
+Outcome change_bundle(const BundlePaths& paths, const std::string& verb, const std::string& picture, Console& console,
                       const std::function<void(Bundle&)>& change);
+
+/// Writes a bundle that was made anew to `path`; then warns of what another bundle there had that this one has not.
+void write_new_bundle(const Bundle& bundle, const std::string& path, Console& console);
 
 /// What a verb that has written a bundle says: its path for people, path and record of stages for programs.
 Outcome written_bundle(const std::string& path, const std::vector<Stage>& stages);
@@ -51,7 +55,7 @@ Command stage_command(const std::string& verb, const std::string& summary, const
     if (sheet) add_sheet_flag(arguments, request->sheet);
     return [verb, run, sheet, request](Console& console) {
       check_sheet(request->sheet);
-      return change_bundle(request->paths, verb, console, [&](Bundle& bundle) {
+      return change_bundle(request->paths, verb, request->sheet, console, [&](Bundle& bundle) {
         run(bundle, request->options, console);
         if (!request->sheet.empty())
           write_sheet(request->sheet, sheet(bundle, request->options, console.step("sheet")));

@@ -4,6 +4,7 @@
 
 #include "cli/bundle_path.h"
 #include "cli/camera.h"
+#include "cli/kept_files.h"
 #include "cli/window_options.h"
 #include "formats/drawn_bundle.h"
 #include "formats/frame.h"
@@ -103,9 +104,11 @@ void check_request(const FrameRequest& request) {
   if (request.difference.empty()) return;
   check_picture_name(request.difference);
   check_file_target(request.difference);
+  check_keeps_inputs(request.difference, std::vector{request.frame, request.camera});
 }
 
 Outcome frame_outcome(const FrameRequest& request, const Bundle& bundle, Console& console) {
+  check_keeps_sources(request.difference, bundle);
   const Camera camera = read_camera(request.camera);
   const int channels = channels_of(camera, bundle, request.camera);
   const CapturedFrame frame = read_frame(request.frame, picture_role(bundle, camera.map.value_or("")), channels);
