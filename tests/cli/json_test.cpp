@@ -86,6 +86,7 @@ TEST_F(CommandLineJson, EveryVerbWritesOneObjectOfTheSchema) {
   valid_output("stack " + bundle + " " + at("b.texbundle") + " -o " + at("s.texbundle"), 0);
   valid_output("info " + at("s.texbundle"), 0);
   valid_output("render " + bundle + " --size 16 -o " + at("a.png"), 0);
+  valid_output("export " + bundle + " --web -o " + at("web"), 0);
   valid_output("verify " + bundle, 0);
   valid_output("info " + bundle, 0);
 }
