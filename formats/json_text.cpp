@@ -81,26 +81,49 @@ struct Refused {
   std::string detail;
 };
 
-/// Watches the parser for what JSON allows and a manifest must not have.
-class StrictWatch {
+/// Makes values of what the parser reads, and refuses what JSON allows and a manifest must not have. A callback of
+/// Json::parse would do the same in a time that grows with the square of the length of a list.
+class StrictParser : public nlohmann::detail::json_sax_dom_parser<Json> {
  public:
-  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
-    using Event = Json::parse_event_t;
-    if (depth > kMaxManifestDepth)
-      throw Refused{IssueId::json_too_deep,
-                    fmt::format("expected at most {} levels of nesting, found more", kMaxManifestDepth)};
-    if (event == Event::object_start) keys_.emplace_back();
-    if (event == Event::object_end) keys_.pop_back();
-    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
+  using Base = nlohmann::detail::json_sax_dom_parser<Json>;
+  explicit StrictParser(Json& result) : Base(result, /*allow_exceptions_=*/true) {}
+
+  bool start_object(size_t size) {
+    enter();
+    keys_.emplace_back();
+    return Base::start_object(size);
+  }
+  bool end_object() {
+    --depth_;
+    keys_.pop_back();
+    return Base::end_object();
+  }
+  bool start_array(size_t size) {
+    enter();
+    return Base::start_array(size);
+  }
+  bool end_array() {
+    --depth_;
+    return Base::end_array();
+  }
+  bool key(std::string& name) {
+    if (!keys_.back().insert(name).second)
       throw Refused{IssueId::json_duplicate_key, fmt::format("expected each key only once, found {} twice",
-                                                             shortened(scalar_text(parsed), kMaxNameInMessage))};
-    if (event == Event::key && keys_.back().size() > kMaxMembers)
+                                                             shortened(string_text(name), kMaxNameInMessage))};
+    if (keys_.back().size() > kMaxMembers)
       throw Refused{IssueId::json_too_deep,
                     fmt::format("expected at most {} members of an object, found more", kMaxMembers)};
-    return true;
+    return Base::key(name);
   }
 
  private:
+  void enter() {
+    if (++depth_ > kMaxManifestDepth)
+      throw Refused{IssueId::json_too_deep,
+                    fmt::format("expected at most {} levels of nesting, found more", kMaxManifestDepth)};
+  }
+
+  int depth_ = 0;
   std::vector<std::set<std::string>> keys_;
 };
 
@@ -117,9 +140,11 @@ std::string reason_of(const Json::exception& error) {
 }
 
 Parsed parsed_json(std::string_view text) {
-  StrictWatch watch;
   try {
-    return {Json::parse(text, std::ref(watch)), std::nullopt};
+    Parsed parsed;
+    StrictParser parser(parsed.json);
+    Json::sax_parse(text, &parser);
+    return parsed;
   } catch (const Refused& refused) {
     return {nullptr, refused};
   } catch (const Json::exception& error) {

@@ -180,6 +180,15 @@ TEST(HostileBundle, AnObjectOfManyMembersIsRefused) {
   EXPECT_EQ(log.issues()[0].id, IssueId::json_too_deep);
 }
 
+TEST(HostileBundle, ALongListOfObjectsTakesTimeInProportion) {
+  // A list that is searched for each of its elements would take minutes, and the test's time limit.
+  std::string text = "[{}";
+  for (int i = 0; i < 1000000; ++i) text += ",{}";
+  IssueLog log("", IssueLog::OnError::collect);
+  EXPECT_EQ(parse_json(text + "]", log).size(), 1000001u);
+  EXPECT_THAT(log.issues(), IsEmpty());
+}
+
 TEST(HostileBundle, NamesOfAnyLengthAreShownInAFewBytes) {
   const TemporaryFolder folder;
   write_bundle(bundle_without_history(), folder / "a.texbundle");
