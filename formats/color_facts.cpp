@@ -133,20 +133,20 @@ ColorFacts color_facts(const PictureInput& open, const PngCheck& png) {
   facts.profile = embedded_profile(open.spec);
   add_said_curve(open.spec, facts);
   switch (open.format) {
-    case PictureFormat::png:
+    case FileFormat::png:
       add_png(open.path, png, facts);
       make_gamma_exact(png, facts);
       break;
-    case PictureFormat::jpeg:
+    case FileFormat::jpeg:
       add_jpeg(open.path, facts);
       break;
-    case PictureFormat::heif:
+    case FileFormat::heif:
       add_heif(open.path, facts);
       break;
-    case PictureFormat::webp:
+    case FileFormat::webp:
       add_webp(open.path, facts);
       break;
-    case PictureFormat::openexr:
+    case FileFormat::openexr:
       add_openexr(open.spec, facts);
       break;
     default:

@@ -83,13 +83,13 @@ void note_what_was_ignored(PictureInput& open, const PicturePlan& plan, size_t t
     add(fmt::format("alpha was dropped: {} of {} texels are not opaque{}", transparent, picture.planes[0].size(),
                     plan.is_premultiplied ? ", and their color was divided by it" : ""));
   if (plan.orientation != 1) add(fmt::format("EXIF orientation {} was applied", plan.orientation));
-  if (open.format == PictureFormat::openexr && (spec.x != spec.full_x || spec.y != spec.full_y ||
-                                                spec.width != spec.full_width || spec.height != spec.full_height))
+  if (open.format == FileFormat::openexr && (spec.x != spec.full_x || spec.y != spec.full_y ||
+                                             spec.width != spec.full_width || spec.height != spec.full_height))
     add(fmt::format("only the data window was read: {} x {} of a {} x {} frame", spec.width, spec.height,
                     spec.full_width, spec.full_height));
   note_layers(open, plan.channels, request.role, picture);
   for (const std::string& words : plan.color.notes) add(words);
-  const bool has_more = open.format != PictureFormat::psd && open.input->seek_subimage(1, 0);
+  const bool has_more = open.format != FileFormat::psd && open.input->seek_subimage(1, 0);
   if (has_more && request.layer.empty()) add("it contains several pictures: the first was read");
 }
 

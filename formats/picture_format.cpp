@@ -20,28 +20,28 @@ namespace {
 using namespace std::string_view_literals;
 
 struct FormatRow {
-  PictureFormat format;
+  FileFormat format;
   const char* name;
   const char* decoder;
 };
 constexpr FormatRow kFormats[] = {
-    {PictureFormat::png, "PNG", "png"},
-    {PictureFormat::jpeg, "JPEG", "jpeg"},
-    {PictureFormat::tiff, "TIFF", "tiff"},
-    {PictureFormat::openexr, "OpenEXR", "openexr"},
-    {PictureFormat::hdr, "Radiance HDR", "hdr"},
-    {PictureFormat::targa, "TGA", "targa"},
-    {PictureFormat::bmp, "BMP", "bmp"},
-    {PictureFormat::webp, "WebP", "webp"},
-    {PictureFormat::heif, "HEIF", "heif"},
-    {PictureFormat::dds, "DDS", "dds"},
-    {PictureFormat::pnm, "PNM", "pnm"},
-    {PictureFormat::gif, "GIF", "gif"},
-    {PictureFormat::jpeg2000, "JPEG 2000", "jpeg2000"},
-    {PictureFormat::psd, "PSD", "psd"},
+    {FileFormat::png, "PNG", "png"},
+    {FileFormat::jpeg, "JPEG", "jpeg"},
+    {FileFormat::tiff, "TIFF", "tiff"},
+    {FileFormat::openexr, "OpenEXR", "openexr"},
+    {FileFormat::hdr, "Radiance HDR", "hdr"},
+    {FileFormat::targa, "TGA", "targa"},
+    {FileFormat::bmp, "BMP", "bmp"},
+    {FileFormat::webp, "WebP", "webp"},
+    {FileFormat::heif, "HEIF", "heif"},
+    {FileFormat::dds, "DDS", "dds"},
+    {FileFormat::pnm, "PNM", "pnm"},
+    {FileFormat::gif, "GIF", "gif"},
+    {FileFormat::jpeg2000, "JPEG 2000", "jpeg2000"},
+    {FileFormat::psd, "PSD", "psd"},
 };
 
-const FormatRow& row_of(PictureFormat format) {
+const FormatRow& row_of(FileFormat format) {
   for (const FormatRow& row : kFormats)
     if (row.format == format) return row;
   return kFormats[0];
@@ -51,31 +51,31 @@ const FormatRow& row_of(PictureFormat format) {
 struct FormatMark {
   size_t at;
   std::string_view bytes;
-  PictureFormat format;
+  FileFormat format;
 };
 constexpr FormatMark kMarks[] = {
-    {0, "\x89PNG\r\n\x1a\n"sv, PictureFormat::png},
-    {0, "\xff\xd8\xff"sv, PictureFormat::jpeg},
-    {0, "II*\0"sv, PictureFormat::tiff},
-    {0, "MM\0*"sv, PictureFormat::tiff},
-    {0, "II+\0"sv, PictureFormat::tiff},
-    {0, "MM\0+"sv, PictureFormat::tiff},
-    {0, "\x76\x2f\x31\x01"sv, PictureFormat::openexr},
-    {0, "#?"sv, PictureFormat::hdr},
-    {0, "BM"sv, PictureFormat::bmp},
-    {8, "WEBP"sv, PictureFormat::webp},
-    {4, "ftypheic"sv, PictureFormat::heif},
-    {4, "ftypheix"sv, PictureFormat::heif},
-    {4, "ftypheim"sv, PictureFormat::heif},
-    {4, "ftypheis"sv, PictureFormat::heif},
-    {4, "ftypmif1"sv, PictureFormat::heif},
-    {4, "ftypavif"sv, PictureFormat::heif},
-    {0, "DDS "sv, PictureFormat::dds},
-    {0, "GIF87a"sv, PictureFormat::gif},
-    {0, "GIF89a"sv, PictureFormat::gif},
-    {0, "\0\0\0\x0cjP  \r\n\x87\n"sv, PictureFormat::jpeg2000},
-    {0, "\xff\x4f\xff\x51"sv, PictureFormat::jpeg2000},
-    {0, "8BPS"sv, PictureFormat::psd},
+    {0, "\x89PNG\r\n\x1a\n"sv, FileFormat::png},
+    {0, "\xff\xd8\xff"sv, FileFormat::jpeg},
+    {0, "II*\0"sv, FileFormat::tiff},
+    {0, "MM\0*"sv, FileFormat::tiff},
+    {0, "II+\0"sv, FileFormat::tiff},
+    {0, "MM\0+"sv, FileFormat::tiff},
+    {0, "\x76\x2f\x31\x01"sv, FileFormat::openexr},
+    {0, "#?"sv, FileFormat::hdr},
+    {0, "BM"sv, FileFormat::bmp},
+    {8, "WEBP"sv, FileFormat::webp},
+    {4, "ftypheic"sv, FileFormat::heif},
+    {4, "ftypheix"sv, FileFormat::heif},
+    {4, "ftypheim"sv, FileFormat::heif},
+    {4, "ftypheis"sv, FileFormat::heif},
+    {4, "ftypmif1"sv, FileFormat::heif},
+    {4, "ftypavif"sv, FileFormat::heif},
+    {0, "DDS "sv, FileFormat::dds},
+    {0, "GIF87a"sv, FileFormat::gif},
+    {0, "GIF89a"sv, FileFormat::gif},
+    {0, "\0\0\0\x0cjP  \r\n\x87\n"sv, FileFormat::jpeg2000},
+    {0, "\xff\x4f\xff\x51"sv, FileFormat::jpeg2000},
+    {0, "8BPS"sv, FileFormat::psd},
 };
 
 // What a person may have given that is not read: only named.
@@ -134,14 +134,14 @@ bool is_targa(std::string_view bytes) {
   return kind == 2 ? any_of(bits, {15, 16, 24, 32}) : any_of(bits, {8, 16});
 }
 
-std::optional<PictureFormat> known_format(std::string_view bytes) {
+std::optional<FileFormat> known_format(std::string_view bytes) {
   if (has_at(bytes, 8, "CR\x02")) return std::nullopt;  // TIFF by its mark, but the first picture is a preview
   for (const FormatMark& mark : kMarks)
     if (has_at(bytes, mark.at, mark.bytes)) return mark.format;
-  if (is_pnm(bytes)) return PictureFormat::pnm;
+  if (is_pnm(bytes)) return FileFormat::pnm;
   for (const OtherMark& mark : kOthers)
     if (has_at(bytes, mark.at, mark.bytes)) return std::nullopt;
-  return is_targa(bytes) ? std::optional(PictureFormat::targa) : std::nullopt;
+  return is_targa(bytes) ? std::optional(FileFormat::targa) : std::nullopt;
 }
 
 std::string name_of_other(std::string_view bytes) {
@@ -161,7 +161,7 @@ std::string first_bytes(const std::string& path) {
 
 }  // namespace
 
-PictureFormat picture_format(const std::string& path) {
+FileFormat picture_format(const std::string& path) {
   const std::string bytes = first_bytes(path);
   if (const auto format = known_format(bytes)) return *format;
   throw Error(ErrorKind::unsupported, fmt::format("{}: format not supported: expected an image ({}), found {}; export "
@@ -169,9 +169,9 @@ PictureFormat picture_format(const std::string& path) {
                                                   path, picture_formats(), name_of_other(bytes)));
 }
 
-const char* format_name(PictureFormat format) { return row_of(format).name; }
+const char* format_name(FileFormat format) { return row_of(format).name; }
 
-const char* decoder_name(PictureFormat format) { return row_of(format).decoder; }
+const char* decoder_name(FileFormat format) { return row_of(format).decoder; }
 
 std::string picture_formats() {
   std::vector<std::string_view> names;

@@ -5,7 +5,7 @@
 
 namespace texbake {
 
-enum class PictureFormat {
+enum class FileFormat {
   png,
   jpeg,
   tiff,
@@ -24,13 +24,13 @@ enum class PictureFormat {
 
 /// Of the file at `path`. Throws Error(io) when it cannot be read, and Error(unsupported), naming the format that was
 /// found where it is known, for one that is not in the list.
-PictureFormat picture_format(const std::string& path);
+FileFormat picture_format(const std::string& path);
 
 /// The name that people use: "PNG", "OpenEXR".
-const char* format_name(PictureFormat format);
+const char* format_name(FileFormat format);
 
 /// The name of OpenImageIO's reader for `format`, which opens nothing else.
-const char* decoder_name(PictureFormat format);
+const char* decoder_name(FileFormat format);
 
 /// All formats for people: "PNG, JPEG, ...".
 std::string picture_formats();

@@ -76,12 +76,12 @@ std::unique_ptr<PictureInput> open_picture_input(const std::string& path) {
   auto open = std::make_unique<PictureInput>();
   open->path = path;
   open->format = picture_format(path);
-  if (open->format == PictureFormat::jpeg) complete_jpeg(*open);
-  if (open->format == PictureFormat::dds) check_dds_file(path);
+  if (open->format == FileFormat::jpeg) complete_jpeg(*open);
+  if (open->format == FileFormat::dds) check_dds_file(path);
   if (!open_reader(*open, {})) throw_reader_failure(path, open->input->geterror());
 
   // Inks are read as they are: OpenImageIO's own conversion knows no profile, and overruns tiles.
-  if (open->format == PictureFormat::tiff &&
+  if (open->format == FileFormat::tiff &&
       open->spec.get_int_attribute("tiff:PhotometricInterpretation") == kTiffSeparated) {
     OIIO::ImageSpec settings;
     settings["oiio:RawColor"] = 1;

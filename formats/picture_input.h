@@ -15,7 +15,7 @@ namespace texbake {
 /// A file that was opened: everything known before its texels are read.
 struct PictureInput {
   std::string path = {};
-  PictureFormat format = PictureFormat::png;
+  FileFormat format = FileFormat::png;
   std::string content = {};                                ///< the file's bytes where it is read from memory
   std::unique_ptr<OIIO::Filesystem::IOProxy> memory = {};  ///< reads `content`
   std::unique_ptr<OIIO::ImageInput> input = {};

@@ -58,14 +58,14 @@ bool is_premultiplied(const PictureInput& open) {
   constexpr int kTargaPremultiplied = 4;  // TGA 2.0, field 24
   const std::string compression = spec.get_string_attribute("compression");
   switch (open.format) {
-    case PictureFormat::openexr:
-    case PictureFormat::webp:
+    case FileFormat::openexr:
+    case FileFormat::webp:
       return true;
-    case PictureFormat::tiff:
+    case FileFormat::tiff:
       return spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
-    case PictureFormat::targa:
+    case FileFormat::targa:
       return spec.get_int_attribute("tga:alpha_type") == kTargaPremultiplied;
-    case PictureFormat::dds:
+    case FileFormat::dds:
       return compression == "DXT2" || compression == "DXT4";
     default:
       return false;
@@ -73,12 +73,12 @@ bool is_premultiplied(const PictureInput& open) {
 }
 
 bool has_inks(const PictureInput& open) {
-  return open.format == PictureFormat::tiff && open.spec.get_int_attribute("tiff:PhotometricInterpretation") == 5;
+  return open.format == FileFormat::tiff && open.spec.get_int_attribute("tiff:PhotometricInterpretation") == 5;
 }
 
 // OpenImageIO turns negatives of 8 bits around, and no others.
 bool is_left_negative(const PictureInput& open) {
-  return open.format == PictureFormat::tiff && open.spec.format != OIIO::TypeDesc::UINT8 &&
+  return open.format == FileFormat::tiff && open.spec.format != OIIO::TypeDesc::UINT8 &&
          open.spec.get_int_attribute("tiff:PhotometricInterpretation", 1) == 0;
 }
 
@@ -119,8 +119,8 @@ PicturePlan plan_picture(PictureInput& open, const PictureRequest& request, cons
   std::string layer = request.layer;
   find_layer(open, layer);
   check_size(open.path, open.spec);
-  if (open.format == PictureFormat::tiff) check_tiff(open.path, open.spec);
-  if (open.format == PictureFormat::jpeg && open.spec.get_string_attribute("jpeg:ColorSpace") == "CMYK")
+  if (open.format == FileFormat::tiff) check_tiff(open.path, open.spec);
+  if (open.format == FileFormat::jpeg && open.spec.get_string_attribute("jpeg:ColorSpace") == "CMYK")
     throw_unsupported(open.path, "CMYK inks");
 
   PicturePlan plan;

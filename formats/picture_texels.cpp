@@ -29,7 +29,7 @@ std::vector<float> code_table(int bits, PictureRole role, const InputCurve& curv
 int rows_of_band(const PictureInput& open) {
   const OIIO::ImageSpec& spec = open.spec;
   if (spec.tile_width > 0) return spec.tile_height;
-  if (open.format != PictureFormat::tiff) return kRowsRead;
+  if (open.format != FileFormat::tiff) return kRowsRead;
   const int strip = spec.get_int_attribute("tiff:RowsPerStrip", 1);
   if (strip < 1 || strip >= spec.height) return spec.height;
   return strip * ((kRowsRead + strip - 1) / strip);

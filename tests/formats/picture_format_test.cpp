@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 class PictureFormats : public ::testing::Test {
  protected:
-  PictureFormat format_of(std::string_view bytes) {
+  FileFormat format_of(std::string_view bytes) {
     write_bytes(folder_ / "a", bytes);
     return picture_format(folder_ / "a");
   }
@@ -27,31 +27,31 @@ class PictureFormats : public ::testing::Test {
 };
 
 TEST_F(PictureFormats, EachIsKnownByItsFirstBytes) {
-  EXPECT_EQ(format_of("\x89PNG\r\n\x1a\n...."), PictureFormat::png);
-  EXPECT_EQ(format_of("\xff\xd8\xff\xe1"), PictureFormat::jpeg);
+  EXPECT_EQ(format_of("\x89PNG\r\n\x1a\n...."), FileFormat::png);
+  EXPECT_EQ(format_of("\xff\xd8\xff\xe1"), FileFormat::jpeg);
   for (const std::string_view mark : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv})
-    EXPECT_EQ(format_of(mark), PictureFormat::tiff);
-  EXPECT_EQ(format_of("\x76\x2f\x31\x01\x02"), PictureFormat::openexr);
-  EXPECT_EQ(format_of("#?RADIANCE\n"), PictureFormat::hdr);
-  EXPECT_EQ(format_of("BM......"), PictureFormat::bmp);
-  EXPECT_EQ(format_of("RIFF....WEBPVP8L"), PictureFormat::webp);
+    EXPECT_EQ(format_of(mark), FileFormat::tiff);
+  EXPECT_EQ(format_of("\x76\x2f\x31\x01\x02"), FileFormat::openexr);
+  EXPECT_EQ(format_of("#?RADIANCE\n"), FileFormat::hdr);
+  EXPECT_EQ(format_of("BM......"), FileFormat::bmp);
+  EXPECT_EQ(format_of("RIFF....WEBPVP8L"), FileFormat::webp);
   EXPECT_EQ(format_of("\0\0\0\x1c"
                       "ftypheic"sv),
-            PictureFormat::heif);
-  EXPECT_EQ(format_of("DDS |"), PictureFormat::dds);
-  EXPECT_EQ(format_of("P6\n2 2\n255\n"), PictureFormat::pnm);
-  EXPECT_EQ(format_of("GIF89a"), PictureFormat::gif);
-  EXPECT_EQ(format_of("\0\0\0\x0cjP  \r\n\x87\n"sv), PictureFormat::jpeg2000);
-  EXPECT_EQ(format_of("8BPS\0\x01"sv), PictureFormat::psd);
+            FileFormat::heif);
+  EXPECT_EQ(format_of("DDS |"), FileFormat::dds);
+  EXPECT_EQ(format_of("P6\n2 2\n255\n"), FileFormat::pnm);
+  EXPECT_EQ(format_of("GIF89a"), FileFormat::gif);
+  EXPECT_EQ(format_of("\0\0\0\x0cjP  \r\n\x87\n"sv), FileFormat::jpeg2000);
+  EXPECT_EQ(format_of("8BPS\0\x01"sv), FileFormat::psd);
 }
 
 // TGA 2.0: map type 0, kind 2 (true color) or 10 (packed), 5 + 4 bytes, then width, height, bits, description
 TEST_F(PictureFormats, TgaIsKnownByAHeaderThatAgreesWithItself) {
   std::array<char, 18> header = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 96, 0, 64, 0, 24, 0};
   const auto bytes = [&] { return std::string_view(header.data(), header.size()); };
-  EXPECT_EQ(format_of(bytes()), PictureFormat::targa);
+  EXPECT_EQ(format_of(bytes()), FileFormat::targa);
   header[2] = 10;
-  EXPECT_EQ(format_of(bytes()), PictureFormat::targa);
+  EXPECT_EQ(format_of(bytes()), FileFormat::targa);
   for (const auto& [place, value] : {std::pair{2, 7}, {16, 23}, {1, 9}, {12, 0}, {17, 64}}) {
     const char before = std::exchange(header[static_cast<size_t>(place)], static_cast<char>(value));
     EXPECT_EQ(refusal_of(bytes()).kind, ErrorKind::unsupported) << "byte " << place;
@@ -74,7 +74,7 @@ TEST_F(PictureFormats, OthersAreRefusedAsUnsupportedByTheirName) {
 
 TEST_F(PictureFormats, TheNameOfTheFileCountsForNothing) {
   write_bytes(folder_ / "a.null", "\x89PNG\r\n\x1a\n....");
-  EXPECT_EQ(picture_format(folder_ / "a.null"), PictureFormat::png);
+  EXPECT_EQ(picture_format(folder_ / "a.null"), FileFormat::png);
 }
 
 }  // namespace
