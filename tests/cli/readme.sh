@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The commands of the README, and the examples of the help of every verb, in a folder with the files that they name: they
-# succeed, and the files that a person owns stay as they are.
+# The commands of the README, in a folder with the files that they name: they succeed, and the files that a person owns
+# stay as they are.
 . "$(dirname "$0")/scratch.sh"
 mkdir own && cd own
 # What the commands name, photographs under every name that a bundle's picture might be given.
@@ -37,13 +37,5 @@ run_all() {
 sed -n '/^```/,/^```/p' "$SOURCE/README.md" | grep '^texbake ' > ../readme
 [ "$(wc -l < ../readme)" -ge 15 ] || fail "the README has lost its commands"
 run_all < ../readme
-texbake info rock.texbundle --recipe > rock.json
 echo "$(wc -l < ../readme) commands of the README"
 sha256sum ./*.png ./*.jpg ./*.json | grep -vF -f <(cut -d' ' -f3 ../own.sums) > ../made || fail "the README makes no pictures"
-
-[ -z "$SANITIZE" ] || exit 0  # as many commands again: the release build runs them
-for verb in $(texbake --help | sed -n '/^Verbs/,/^$/s/^  \([a-z][a-z-]*\)  .*/\1/p' | grep -vx help); do
-  COLUMNS=1000 texbake "$verb" --help | sed -n '/^Examples/,$s/^ *\(texbake \)/\1/p'
-done > ../examples
-run_all < ../examples
-echo "$(wc -l < ../examples) examples of the help"
