@@ -7,6 +7,7 @@ set(CPACK_PACKAGE_CONTACT "texbake <texbake@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "bakes a photograph of a surface into an endless texture that does not repeat")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE zstd)  # xz takes minutes for the libraries
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
