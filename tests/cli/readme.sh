@@ -22,7 +22,6 @@ sha256sum ./*.png ./*.jpg ./*.json > ../own.sums
 run_all() {
   local line code
   while read -r line; do
-    [ -z "$SANITIZE" ] || line=$(sed 's/4096x4096/256/; s/1200x800/120x80/; s/^texbake report [^ ]*/& --quick/' <<< "$line")
     code=0
     eval "$line" > ../said 2>&1 || code=$?
     # A verdict on what these pictures are worth, or on a frame, is an answer; OpenGL need not be here.
