@@ -18,7 +18,7 @@ echo '{"window": {}}' > capture.json
 texbake render bricks.texbundle --size 64 -o capture.png -q > /dev/null
 sha256sum ./*.png ./*.jpg ./*.json > ../own.sums
 
-# run_all: each line of stdin. Sizes and reports that take long with sanitizers are smaller there.
+# run_all: each line of stdin.
 run_all() {
   local line code
   while read -r line; do
