@@ -21,10 +21,32 @@ enum class ExitCode {
   terminated = 143,
 };
 
-inline constexpr ExitCode kExitCodes[] = {ExitCode::done,        ExitCode::no,        ExitCode::usage,
-                                          ExitCode::bad_data,    ExitCode::io,        ExitCode::unsupported,
-                                          ExitCode::infeasible,  ExitCode::limit,     ExitCode::internal,
-                                          ExitCode::interrupted, ExitCode::no_reader, ExitCode::terminated};
+/// What people and programs are told of an exit code.
+struct ExitCodeWords {
+  ExitCode code;
+  const char* name;     ///< in JSON output
+  const char* meaning;  ///< in the manual page
+};
+inline constexpr ExitCodeWords kExitCodes[] = {
+    {ExitCode::done, "done", "done"},
+    {ExitCode::no, "no",
+     "the question was answered no: verify found the bundle invalid or different, or report judged it as --fail-on "
+     "says"},
+    {ExitCode::usage, "usage", "an unknown verb, option or value"},
+    {ExitCode::bad_data, "bad-data", "an input was read but does not hold what it must"},
+    {ExitCode::io, "io", "an input cannot be read, or an output cannot be written"},
+    {ExitCode::unsupported, "unsupported", "a version or a feature that this program does not know"},
+    {ExitCode::infeasible, "infeasible", "the algorithm cannot satisfy the request"},
+    {ExitCode::limit, "limit", "a limit that was set, such as --max-memory, was reached"},
+    {ExitCode::internal, "internal",
+     "an internal error, which please report with the command line and the input; or the system has no memory or "
+     "thread "
+     "left"},
+    {ExitCode::interrupted, "interrupted", "interrupted (SIGINT); temporary files were removed"},
+    {ExitCode::no_reader, "no-reader",
+     "the reader of standard output has gone; what was to be written to files has been written"},
+    {ExitCode::terminated, "terminated", "terminated (SIGTERM); temporary files were removed"},
+};
 
 inline ExitCode exit_code_of(ErrorKind kind) {
   switch (kind) {
@@ -46,68 +68,9 @@ inline ExitCode exit_code_of(ErrorKind kind) {
 
 /// The name of an exit code in JSON output.
 inline const char* exit_name(ExitCode code) {
-  switch (code) {
-    case ExitCode::done:
-      return "done";
-    case ExitCode::no:
-      return "no";
-    case ExitCode::usage:
-      return "usage";
-    case ExitCode::bad_data:
-      return "bad-data";
-    case ExitCode::io:
-      return "io";
-    case ExitCode::unsupported:
-      return "unsupported";
-    case ExitCode::infeasible:
-      return "infeasible";
-    case ExitCode::limit:
-      return "limit";
-    case ExitCode::internal:
-      return "internal";
-    case ExitCode::interrupted:
-      return "interrupted";
-    case ExitCode::no_reader:
-      return "no-reader";
-    case ExitCode::terminated:
-      return "terminated";
-  }
+  for (const ExitCodeWords& words : kExitCodes)
+    if (words.code == code) return words.name;
   return "internal";
-}
-
-/// What an exit code means, for the manual page.
-inline const char* exit_meaning(ExitCode code) {
-  switch (code) {
-    case ExitCode::done:
-      return "done";
-    case ExitCode::no:
-      return "the question was answered no: verify found the bundle invalid or different, or report judged it as "
-             "--fail-on "
-             "says";
-    case ExitCode::usage:
-      return "an unknown verb, option or value";
-    case ExitCode::bad_data:
-      return "an input was read but does not hold what it must";
-    case ExitCode::io:
-      return "an input cannot be read, or an output cannot be written";
-    case ExitCode::unsupported:
-      return "a version or a feature that this program does not know";
-    case ExitCode::infeasible:
-      return "the algorithm cannot satisfy the request";
-    case ExitCode::limit:
-      return "a limit that was set, such as --max-memory, was reached";
-    case ExitCode::internal:
-      return "an internal error, which please report with the command line and the input; or the system has no memory "
-             "or "
-             "thread left";
-    case ExitCode::interrupted:
-      return "interrupted (SIGINT); temporary files were removed";
-    case ExitCode::no_reader:
-      return "the reader of standard output has gone; what was to be written to files has been written";
-    case ExitCode::terminated:
-      return "terminated (SIGTERM); temporary files were removed";
-  }
-  return "";
 }
 
 }  // namespace texbake

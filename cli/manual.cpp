@@ -9,33 +9,25 @@
 
 #include "cli/exit_code.h"
 #include "cli/help.h"
+#include "formats/byte_text.h"
 
 namespace texbake {
 namespace {
 
-/// The code point that begins at `text[at]`, which is moved behind it. `text` is valid UTF-8.
-unsigned next_code_point(const std::string& text, size_t& at) {
-  const auto lead = static_cast<unsigned char>(text[at++]);
-  if (lead < 0x80) return lead;
-  const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
-  unsigned code = lead & (0x3Fu >> more);
-  for (int i = 0; i < more; ++i) code = code << 6 | (static_cast<unsigned char>(text[at++]) & 0x3Fu);
-  return code;
-}
-
-/// `text` so that troff prints it as it stands.
+/// `text`, which is UTF-8, so that troff prints it as it stands.
 std::string escaped(const std::string& text) {
   std::string result = text.starts_with(".") || text.starts_with("'") ? "\\&" : "";
-  for (size_t at = 0; at < text.size();) {
-    const unsigned code = next_code_point(text, at);
-    if (code == '\\')
+  for (std::string_view rest = text; !rest.empty();) {
+    const CodePoint point = first_code_point(rest);
+    if (point.value == '\\')
       result += "\\e";
-    else if (code == '-')
+    else if (point.value == '-')
       result += "\\-";
-    else if (code < 0x80)
-      result += static_cast<char>(code);
+    else if (point.value < 0x80)
+      result += static_cast<char>(point.value);
     else
-      result += fmt::format("\\[u{:04X}]", code);
+      result += fmt::format("\\[u{:04X}]", point.value);
+    rest.remove_prefix(point.bytes);
   }
   return result;
 }
@@ -105,8 +97,8 @@ std::string see_also(const CommandLine& line, const Verb* except) {
 
 std::string exit_status() {
   std::string text = section("EXIT STATUS");
-  for (const ExitCode code : kExitCodes)
-    text += item(bold(fmt::format("{}", static_cast<int>(code))), escaped(exit_meaning(code)));
+  for (const ExitCodeWords& words : kExitCodes)
+    text += item(bold(fmt::format("{}", static_cast<int>(words.code))), escaped(words.meaning));
   return text;
 }
 

@@ -1,21 +1,25 @@
 #include "formats/byte_text.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace texbake {
 namespace {
 
 constexpr unsigned kFirstRaw = 0xEF80, kLastRaw = 0xEFFF, kRawBase = 0xEF00;
 
-struct CodePoint {
-  size_t bytes = 0;  ///< 0: there is no well-formed character
-  unsigned value = 0;
+bool is_raw_byte(const CodePoint& point) {
+  return point.bytes > 0 && point.value >= kFirstRaw && point.value <= kLastRaw;
+}
 
-  bool is_raw_byte() const { return bytes > 0 && value >= kFirstRaw && value <= kLastRaw; }
-};
+void append_raw(char byte, std::string& text) {
+  const unsigned value = kRawBase + static_cast<unsigned char>(byte);
+  text += static_cast<char>(0xE0 | value >> 12);
+  text += static_cast<char>(0x80 | (value >> 6 & 0x3F));
+  text += static_cast<char>(0x80 | (value & 0x3F));
+}
 
-/// The character that `text` begins with. Based on: Unicode 15, table 3-7.
+}  // namespace
+
 CodePoint first_code_point(std::string_view text) {
   const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned lead = byte(0);
@@ -32,15 +36,6 @@ CodePoint first_code_point(std::string_view text) {
   return value < kLeast[bytes] || value > 0x10FFFF || is_surrogate ? CodePoint() : CodePoint{bytes, value};
 }
 
-void append_raw(char byte, std::string& text) {
-  const unsigned value = kRawBase + static_cast<unsigned char>(byte);
-  text += static_cast<char>(0xE0 | value >> 12);
-  text += static_cast<char>(0x80 | (value >> 6 & 0x3F));
-  text += static_cast<char>(0x80 | (value & 0x3F));
-}
-
-}  // namespace
-
 bool is_utf8(std::string_view bytes) {
   while (!bytes.empty()) {
     const CodePoint point = first_code_point(bytes);
@@ -55,7 +50,7 @@ std::string text_of_bytes(std::string_view bytes) {
   while (!bytes.empty()) {
     const CodePoint point = first_code_point(bytes);
     const std::string_view part = bytes.substr(0, std::max<size_t>(point.bytes, 1));
-    if (point.bytes > 0 && !point.is_raw_byte())
+    if (point.bytes > 0 && !is_raw_byte(point))
       text += part;
     else
       for (const char byte : part) append_raw(byte, text);
@@ -69,7 +64,7 @@ std::string bytes_of_text(std::string_view text) {
   while (!text.empty()) {
     const CodePoint point = first_code_point(text);
     const std::string_view part = text.substr(0, std::max<size_t>(point.bytes, 1));
-    if (point.is_raw_byte())
+    if (is_raw_byte(point))
       bytes += static_cast<char>(point.value - kRawBase);
     else
       bytes += part;

@@ -2,10 +2,19 @@
 // Based on: OPTU-8 of MirBSD, which keeps raw octets in the private use area of Unicode.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace texbake {
+
+struct CodePoint {
+  size_t bytes = 0;  ///< 0: there is no well-formed character
+  unsigned value = 0;
+};
+
+/// The character that `text` begins with. Based on: Unicode 15, table 3-7.
+CodePoint first_code_point(std::string_view text);
 
 /// Is `bytes` well-formed UTF-8?
 bool is_utf8(std::string_view bytes);

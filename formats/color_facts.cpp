@@ -3,18 +3,18 @@
 #include <cstdint>
 #include <string_view>
 
+#include "formats/byte_order.h"
 #include "formats/exif_color.h"
 #include "formats/input_file.h"
 
 namespace texbake {
 namespace {
 
-constexpr int kExifUncalibrated = 65535;  // EXIF 2.3, ColorSpace: not sRGB
+constexpr size_t kExifEnd = size_t{1} << 17;  // it begins within the first 64 KiB of a file, and is no longer than that
+constexpr int kExifUncalibrated = 65535;      // EXIF 2.3, ColorSpace: not sRGB
 
 double png_number(std::string_view bytes, size_t at) {  // PNG stores 100000 times the number
-  uint32_t value = 0;
-  for (size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<uint8_t>(bytes[at + i]);
-  return value / 100000.0;
+  return static_cast<double>(big_endian(bytes, at, 4)) / 100000.0;
 }
 
 // cICP before iCCP before sRGB before gAMA and cHRM (PNG, third edition, §4.3).
@@ -57,8 +57,7 @@ void make_gamma_exact(const PngCheck& png, ColorFacts& facts) {
 std::string_view color_box(std::string_view bytes, std::string_view kind) {
   for (size_t at = bytes.find("colr"); at != std::string_view::npos; at = bytes.find("colr", at + 4)) {
     if (at < 4 || bytes.substr(at + 4, 4) != kind) continue;
-    uint32_t size = 0;
-    for (size_t i = 0; i < 4; ++i) size = size << 8 | static_cast<uint8_t>(bytes[at - 4 + i]);
+    const uint64_t size = big_endian(bytes, at - 4, 4);
     if (size >= 12 && at - 4 + size <= bytes.size()) return bytes.substr(at + 8, size - 12);
   }
   return {};
@@ -76,9 +75,7 @@ void add_heif(const std::string& path, ColorFacts& facts) {
   const std::string_view nclx = color_box(all, "nclx");
   if (nclx.size() < 4) return;
   facts.source = "its box nclx";
-  const auto number = [&](size_t at) {
-    return static_cast<uint8_t>(nclx[at]) * 256 + static_cast<uint8_t>(nclx[at + 1]);
-  };
+  const auto number = [&](size_t at) { return static_cast<int>(big_endian(nclx, at, 2)); };
   add_code_points(path, number(0), number(2), facts);
 }
 
@@ -86,10 +83,9 @@ void add_heif(const std::string& path, ColorFacts& facts) {
 void add_webp(const std::string& path, ColorFacts& facts) {
   const std::string bytes = file_bytes(path);
   for (size_t at = 12; at + 8 <= bytes.size();) {
-    uint32_t size = 0;
-    for (size_t i = 4; i-- > 0;) size = size << 8 | static_cast<uint8_t>(bytes[at + 4 + i]);
+    const uint64_t size = little_endian(bytes, at + 4, 4);
     if (bytes.compare(at, 4, "ICCP") == 0 && at + 8 + size <= bytes.size()) facts.profile = bytes.substr(at + 8, size);
-    at += 8 + static_cast<size_t>(size) + (size & 1);
+    at += 8 + size + (size & 1);
   }
 }
 
@@ -105,7 +101,7 @@ void add_openexr(const OIIO::ImageSpec& spec, ColorFacts& facts) {
 
 // A camera that notes Adobe RGB, and embeds no profile (Adobe RGB (1998), §4.3).
 void add_jpeg(const std::string& path, ColorFacts& facts) {
-  if (!facts.profile.empty() || !says_adobe_rgb(file_bytes(path))) return;
+  if (!facts.profile.empty() || !says_adobe_rgb(file_bytes(path, kExifEnd))) return;
   facts.primaries = {{{0.64, 0.33}, {0.21, 0.71}, {0.15, 0.06}, {0.3127, 0.3290}}};
   facts.curve = InputCurve::exact_power(563.0 / 256.0);
   facts.source = "its EXIF data, Adobe RGB";

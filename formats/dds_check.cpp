@@ -4,19 +4,15 @@
 
 #include <algorithm>
 
+#include "formats/byte_order.h"
 #include "libbake/base/error.h"
 
 namespace texbake {
 namespace {
 
-constexpr size_t kDdsHeaderBytes = 128;
 constexpr uint32_t kDdsFourCc = 0x4, kDdsRgb = 0x40;
 
-uint32_t dds_number(std::string_view header, size_t at) {
-  uint32_t value = 0;
-  for (size_t i = 4; i-- > 0;) value = value << 8 | static_cast<uint8_t>(header[at + i]);
-  return value;
-}
+uint32_t dds_number(std::string_view header, size_t at) { return static_cast<uint32_t>(little_endian(header, at, 4)); }
 
 // Is this one run of bits, none of them beyond `bits`?
 bool is_mask(uint32_t mask, uint32_t bits) {

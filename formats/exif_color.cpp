@@ -1,8 +1,9 @@
 #include "formats/exif_color.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
+
+#include "formats/byte_order.h"
 
 namespace texbake {
 namespace {
@@ -18,10 +19,8 @@ class ExifData {
 
   /// The number of `count` bytes at `at`; 0 beyond the end.
   size_t number(size_t at, size_t count) const {
-    size_t value = 0;
-    for (size_t i = 0; i < count && at + count <= bytes_.size(); ++i)
-      value = value << 8 | static_cast<uint8_t>(bytes_[at + (is_big_ ? i : count - 1 - i)]);
-    return value;
+    if (at + count > bytes_.size()) return 0;
+    return is_big_ ? big_endian(bytes_, at, count) : little_endian(bytes_, at, count);
   }
   /// Where the value of `tag` lies in the directory at `directory`.
   std::optional<size_t> find(size_t directory, int tag) const {

@@ -42,10 +42,14 @@ bool is_forbidden(const fs::path& path) {
   return ::faccessat(AT_FDCWD, path.c_str(), R_OK, AT_EACCESS) != 0 && errno == EACCES;
 }
 
-std::string file_bytes(const std::string& path) {
+std::string file_bytes(const std::string& path, size_t most) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
-  return {std::istreambuf_iterator<char>(stream), {}};
+  if (most == std::string::npos) return {std::istreambuf_iterator<char>(stream), {}};
+  std::string bytes(most, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<size_t>(stream.gcount()));
+  return bytes;
 }
 
 }  // namespace texbake

@@ -3,21 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "formats/input_file.h"
 #include "libbake/base/error.h"
 
 namespace texbake {
 namespace {
 
 using namespace std::string_view_literals;
+
+constexpr size_t kBytesLookedAt = 132;  // DICOM has its mark last of all, from byte 128 on
 
 struct FormatRow {
   FileFormat format;
@@ -150,19 +150,10 @@ std::string name_of_other(std::string_view bytes) {
   return "something else";
 }
 
-std::string first_bytes(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
-  std::string bytes(132, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<size_t>(file.gcount()));
-  return bytes;
-}
-
 }  // namespace
 
 FileFormat picture_format(const std::string& path) {
-  const std::string bytes = first_bytes(path);
+  const std::string bytes = file_bytes(path, kBytesLookedAt);
   if (const auto format = known_format(bytes)) return *format;
   throw Error(ErrorKind::unsupported, fmt::format("{}: format not supported: expected an image ({}), found {}; export "
                                                   "it as PNG, TIFF or OpenEXR",

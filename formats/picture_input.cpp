@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "formats/dds_check.h"
 #include "formats/input_file.h"
@@ -23,16 +24,14 @@ std::string one_line(std::string words) {
 }
 
 bool says_unsupported(const std::string& words) {
-  std::string low = words;
-  std::transform(low.begin(), low.end(), low.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string low = OIIO::Strutil::lower(words);
   for (const char* word : {"support", "not implemented", "unimplemented"})
     if (low.find(word) != std::string::npos) return true;
   return false;
 }
 
 void check_dds_file(const std::string& path) {
-  const std::string bytes = file_bytes(path);
-  check_dds(path, std::string_view(bytes).substr(0, 128), bytes.size());
+  check_dds(path, file_bytes(path, kDdsHeaderBytes), std::filesystem::file_size(path));
 }
 
 bool open_reader(PictureInput& open, OIIO::ImageSpec settings) {

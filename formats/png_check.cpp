@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/byte_order.h"
+
 namespace texbake {
 namespace {
 
@@ -17,12 +19,6 @@ constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 
 uint32_t add_crc(uint32_t crc, const char* bytes, size_t count) {
   return static_cast<uint32_t>(crc32(crc, reinterpret_cast<const Bytef*>(bytes), static_cast<uInt>(count)));
-}
-
-uint32_t big_endian(const char* bytes) {
-  uint32_t value = 0;
-  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<uint8_t>(bytes[i]);
-  return value;
 }
 
 // Reads exactly `count` bytes.
@@ -46,7 +42,7 @@ constexpr size_t kKeptBytes = 32;  // cHRM, the longest chunk of interest
 // The content and the checksum of the chunk whose head was read.
 PngChunk read_chunk(std::istream& file, const char (&head)[8]) {
   PngChunk chunk{.name = std::string(head + 4, 4), .start = {}};
-  uint32_t length = big_endian(head);
+  uint32_t length = static_cast<uint32_t>(big_endian({head, 4}, 0, 4));
   std::vector<char> block(std::min<size_t>(length, size_t{1} << 16));
   uint32_t crc = add_crc(0, chunk.name.data(), chunk.name.size());
   while (length > 0) {
@@ -61,7 +57,7 @@ PngChunk read_chunk(std::istream& file, const char (&head)[8]) {
   }
   char tail[4];
   chunk.is_whole = read_exactly(file, tail, sizeof(tail));
-  chunk.is_sound = chunk.is_whole && crc == big_endian(tail);
+  chunk.is_sound = chunk.is_whole && crc == big_endian({tail, 4}, 0, 4);
   return chunk;
 }
 

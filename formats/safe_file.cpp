@@ -93,14 +93,6 @@ void take_owner(int descriptor, const struct stat& status) {
   [[maybe_unused]] const int failed = ::fchmod(descriptor, mode);
 }
 
-std::string temporary_prefix(const std::filesystem::path& final_path) {
-  return fmt::format(".{}{}", final_path.filename().string(), kTemporarySuffix);
-}
-
-std::filesystem::path temporary_beside(const std::filesystem::path& final_path) {
-  return final_path.parent_path() / fmt::format("{}{}", temporary_prefix(final_path), ::getpid());
-}
-
 /// Has the writer of this temporary file ended? It may live on another machine that shares the folder: then its lock
 /// tells.
 bool is_orphan(const std::filesystem::path& path, std::string_view process) {
@@ -222,6 +214,14 @@ void sync_folder(const std::filesystem::path& folder) {
   if (descriptor >= 0) ::close(descriptor);
   if (!synced)
     throw Error(ErrorKind::io, fmt::format("{}: could not flush the folder to disk: {}", name, std::strerror(reason)));
+}
+
+std::string temporary_prefix(const std::filesystem::path& final_path) {
+  return fmt::format(".{}{}", final_path.filename().string(), kTemporarySuffix);
+}
+
+std::filesystem::path temporary_beside(const std::filesystem::path& final_path) {
+  return final_path.parent_path() / fmt::format("{}{}", temporary_prefix(final_path), ::getpid());
 }
 
 bool is_temporary_name(std::string_view file_name) {

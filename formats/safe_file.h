@@ -70,6 +70,11 @@ class SafeFile {
 /// Brings a folder's list of names to the disk, where the folder may be read. Throws Error(io).
 void sync_folder(const std::filesystem::path& folder);
 
+/// What the name of a temporary file or folder for `final_path` begins with; the number of the process follows.
+std::string temporary_prefix(const std::filesystem::path& final_path);
+/// The whole of that name, for this process, in the folder of `final_path`.
+std::filesystem::path temporary_beside(const std::filesystem::path& final_path);
+
 /// True for the name of a temporary file that a killed `SafeFile` may have left behind.
 bool is_temporary_name(std::string_view file_name);
 

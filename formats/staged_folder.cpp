@@ -23,15 +23,13 @@ Error folder_failure(const fs::path& path, const char* action) {
                                           action, std::strerror(errno)));
 }
 
-std::string staging_prefix(const fs::path& path) { return fmt::format(".{}.texbake-tmp-", path.filename().string()); }
-
 /// Staging folders of writers of `path` that no longer live.
 void remove_dead_staging(const fs::path& path) {
   std::error_code ignored;
   std::vector<fs::path> dead;
   for (const auto& entry : fs::directory_iterator(path.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(staging_prefix(path)) && is_temporary_name(name) && entry.is_directory(ignored) &&
+    if (name.starts_with(temporary_prefix(path)) && is_temporary_name(name) && entry.is_directory(ignored) &&
         FolderLock(entry.path()))
       dead.push_back(entry.path());
   }
@@ -41,7 +39,7 @@ void remove_dead_staging(const fs::path& path) {
 /// Makes the temporary folder, and returns its path.
 fs::path made_staging(const fs::path& final_path, const StepHook& hook) {
   remove_dead_staging(final_path);
-  fs::path path = final_path.parent_path() / fmt::format("{}{}", staging_prefix(final_path), ::getpid());
+  fs::path path = temporary_beside(final_path);
   if (hook) hook("create folder");
   if (::mkdir(path.c_str(), 0777) != 0) throw folder_failure(final_path, "create");
   return path;
