@@ -44,7 +44,7 @@ void warn_of_other_size(const std::string& map, const Picture& picture, const Ti
                                  size_text(size), size_text(plan.source_size)));
 }
 
-/// Moves the maps into the scale, along the same cuts as the colour: relief to its own plane, the others to the list.
+/// Moves the maps into the scale, along the same cuts as the color: relief to its own plane, the others to the list.
 void add_maps(Scale& scale, const ConvertRequest& request, const TilePlan& plan, Material& material,
               Listener& listener) {
   for (size_t i = 0; i < material.maps.size(); ++i) {
@@ -113,7 +113,7 @@ Bundle run_convert(const ConvertRequest& request, Listener& listener) {
   add_sources(bundle, request, material);
   RunningStage stage(bundle, "convert", listener);
 
-  // A tile that closes, of the colour and, along the same cuts, of every map.
+  // A tile that closes, of the color and, along the same cuts, of every map.
   const Image<V3f> source = interleave(material.color.planes);
   const TilePlan plan = named_plan(source, request);
   tell_of_tile(plan, material.color.name, listener);

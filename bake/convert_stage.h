@@ -8,9 +8,9 @@
 
 namespace texbake {
 
-/// How the colour of the bundle is stored.
+/// How the color of the bundle is stored.
 enum class ColorForm {
-  full,     ///< every texel's colour, so that nothing is lost
+  full,     ///< every texel's color, so that nothing is lost
   palette,  ///< the paper's compact form: class and variation alone
 };
 template <>

@@ -1,4 +1,4 @@
-// The pictures that go into a bundle: the colour and the maps that travel with it.
+// The pictures that go into a bundle: the color and the maps that travel with it.
 #pragma once
 
 #include <optional>
@@ -81,7 +81,7 @@ Material read_material(const MaterialFiles& files, const ImportOptions& options,
 /// The tile of a map, as a bundle holds it: half-exact where the bundle stores halves.
 Map map_tile(const TilePlan& plan, const std::string& name, const Picture& picture, NormalConvention convention);
 
-/// The tile of a height map: one channel, 0 … 1. Throws Error(bad_data) when the picture has colours or other values.
+/// The tile of a height map: one channel, 0 … 1. Throws Error(bad_data) when the picture has colors or other values.
 Image<float> height_tile(const TilePlan& plan, const Picture& picture);
 
 /// Is the first channel a slope of so few levels that they will be seen as steps: integers of at most 8 bits, most of

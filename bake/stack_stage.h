@@ -67,7 +67,7 @@ std::vector<ScaleTransfer> transfers_of(const StackOptions& options, size_t coun
 /// Names of `count` scales, coarse to fine: coarse, middle, ..., fine.
 std::vector<std::string> scale_names(size_t count);
 
-/// All scales, sources, stages, extensions and extras of `bundles`, and how each scale takes the colours of the one
+/// All scales, sources, stages, extensions and extras of `bundles`, and how each scale takes the colors of the one
 /// before it; the record of the stage tells how far eq. 4 is violated. Throws Error(bad_data) for a bundle of several
 /// scales, for scales in the wrong order, and as prepare_stack does.
 Bundle run_stack(std::vector<NamedBundle> bundles, const StackOptions& options, Listener& listener);

@@ -12,7 +12,7 @@ namespace texbake {
 /// A flat window. Its size is the frame's.
 struct Camera {
   WindowOptions window;
-  std::optional<std::string> map;       ///< nothing: the colour
+  std::optional<std::string> map;       ///< nothing: the color
   std::optional<PixelSize> frame_size;  ///< what the frame must have, where the file says so
 };
 

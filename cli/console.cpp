@@ -13,7 +13,7 @@ namespace {
 
 bool stderr_is_terminal() { return isatty(STDERR_FILENO) == 1; }
 
-/// https://no-color.org: any value but the empty one switches colour off.
+/// https://no-color.org: any value but the empty one switches color off.
 bool wants_color() {
   const char* no_color = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");

@@ -85,7 +85,7 @@ void add_noise_fields(const NoiseModel& model, FieldList& fields) {
              "index of a value", "which value of the noises a texel shows");
   fields.add("color bases", fmt::format("{}x(3+3x3) float", model.noises.size()), "linear Rec.709 light",
              "mean and axes of the noises' colors");
-  fields.add("histograms", fmt::format("{}x{} float", 3 * model.noises.size(), Equalisation::kEntries), "light",
+  fields.add("histograms", fmt::format("{}x{} float", 3 * model.noises.size(), Equalization::kEntries), "light",
              "transfer of each channel, -4 to 4 standard deviations");
   fields.add("lobes", fmt::format("{}", lobes), "cycles per texel", "compact spectra, if accurate enough");
 }

@@ -11,7 +11,7 @@ if(TEXBAKE_SANITIZE)
 endif()
 install(TARGETS texbake_flags EXPORT texbake-targets)
 
-# Beside texbake_flags, for code that is not hot: with sanitizers, the optimiser doubles the time that its compilation takes.
+# Beside texbake_flags, for code that is not hot: with sanitizers, the optimizer doubles the time that its compilation takes.
 add_library(texbake_cold INTERFACE)
 if(TEXBAKE_SANITIZE)
   target_compile_options(texbake_cold INTERFACE -O0)

@@ -29,7 +29,7 @@ cd "$out"
 out=$PWD
 "$root/build/release-tools/examples/draw_exemplars" .
 
-# A whole material: the maps travel with the colour and share its remap.
+# A whole material: the maps travel with the color and share its remap.
 step "10 seconds" "3 of 7: pebbles, a material of color, normals, heights and roughness"
 "$texbake" bake pebbles.png --map normal=pebbles_normal.png --map height=pebbles_height.png \
   --map roughness=pebbles_roughness.png -o pebbles.texbundle

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 inline constexpr const char* kManifestName = "bundle.json";
 inline constexpr const char* kBundleVersion = "1.0";
 
-/// Another picture of the same surface, travelling with the colour.
+/// Another picture of the same surface, travelling with the color.
 struct Map {
   std::string name;        ///< "normal", "roughness", ...: the NAME of --map NAME=FILE
   int channels = 1;        ///< 1 or 3

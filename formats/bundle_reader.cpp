@@ -164,7 +164,7 @@ void read_part(const ExrReader& reader, std::vector<PlaneSink>& sinks, std::set<
   for (const PlaneSink& sink : sinks) sink.report(log);
 }
 
-/// Centres and areas follow from idx and owner; for patches, the manifest's are compared with them.
+/// Centers and areas follow from idx and owner; for patches, the manifest's are compared with them.
 struct ShapeTable {
   std::vector<V2i> centers;
   std::vector<uint32_t> areas_px;

@@ -15,7 +15,7 @@ struct CapturedFrame {
   std::vector<std::string> notes;
 };
 
-/// The first `channels` channels (1 … 3) of a picture of `role`, the others 0; a grey picture has the same in all
+/// The first `channels` channels (1 … 3) of a picture of `role`, the others 0; a gray picture has the same in all
 /// three. Throws as read_picture does for a file that is no picture, Error(unsupported) for samples other than integers
 /// of up to 16 bits by the sRGB curve or none, half, and float.
 CapturedFrame read_frame(const std::string& path, PictureRole role, int channels);

@@ -19,7 +19,7 @@ namespace texbake {
 /// Throws Error(io) when the file cannot be opened; Error(usage) when it has no layer of the name that is asked for;
 /// Error(unsupported) for other formats, deep or volume pictures, turned normal maps, and kinds of color that are not
 /// supported; Error(bad_data) for what is cut off or damaged, is larger than kMaxPictureSide, has a number
-/// of channels that does not suit `role`, or holds NaN, infinity or colours above 65504 (their count and first texel).
+/// of channels that does not suit `role`, or holds NaN, infinity or colors above 65504 (their count and first texel).
 Picture read_picture(const PictureRequest& request);
 
 /// Three planes as one image. All have the same size.

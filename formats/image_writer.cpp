@@ -149,7 +149,7 @@ struct PictureWriter::State {
     if (format.channels == 1) spec.channelnames = {"Y"};
     spec.attribute("DateTime", "");  // else OpenEXR and TIFF store the time of writing
     const bool is_tiff = kind.extension.starts_with('t');
-    // A colour space in TIFF needs a second directory, for which the file would have to be read while it is written.
+    // A color space in TIFF needs a second directory, for which the file would have to be read while it is written.
     if (srgb && !is_tiff) spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("compression", kind.extension.starts_with('j') ? "jpeg:95" : "zip");
     if (!output)

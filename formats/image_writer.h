@@ -30,8 +30,8 @@ struct PictureFormat {
 /// Writes the file that `path` names, by its extension: .png (uint8, uint16), .jpg .jpeg (uint8), .tif .tiff (uint8,
 /// uint16, float32) or .exr (half, float32).
 ///
-/// Integers hold colours by the sRGB curve, data of 0 … 1 and normals by code (formats/srgb_codes.h), clamped and
-/// rounded to the nearest; floats hold linear colours, data and vectors as they are, halves clamped to ±65504. The same
+/// Integers hold colors by the sRGB curve, data of 0 … 1 and normals by code (formats/srgb_codes.h), clamped and
+/// rounded to the nearest; floats hold linear colors, data and vectors as they are, halves clamped to ±65504. The same
 /// values give the same bytes: nothing but the picture is stored.
 ///
 /// The file appears under its name in `close`, whole; a writer destroyed before removes what it wrote. Every failure of
@@ -44,7 +44,7 @@ class PictureWriter {
   PictureWriter(PictureWriter&&) noexcept;
   PictureWriter& operator=(PictureWriter&&) noexcept;
 
-  /// The next `rows.height()` rows, `format.width` wide and not NaN. Of colours a picture of one channel
+  /// The next `rows.height()` rows, `format.width` wide and not NaN. Of colors a picture of one channel
   /// takes the first; a view of floats is for one channel.
   void write_rows(ImageView<const V3f> rows);
   void write_rows(ImageView<const float> rows);

@@ -16,14 +16,14 @@ double value_of(const Json& json) { return static_cast<double>(json.get<float>()
 
 Json lobe_json(const Lobe& lobe) {
   return {{"power", number(lobe.power)},
-          {"center", Json::array({number(lobe.centre_x_cpp), number(lobe.centre_y_cpp)})},
+          {"center", Json::array({number(lobe.center_x_cpp), number(lobe.center_y_cpp)})},
           {"factor", Json::array({number(lobe.l_xx), number(lobe.l_xy), number(lobe.l_yy)})}};
 }
 
 Lobe lobe_of(const Json& json) {
   return {.power = value_of(json["power"]),
-          .centre_x_cpp = value_of(json["center"][0]),
-          .centre_y_cpp = value_of(json["center"][1]),
+          .center_x_cpp = value_of(json["center"][0]),
+          .center_y_cpp = value_of(json["center"][1]),
           .l_xx = value_of(json["factor"][0]),
           .l_xy = value_of(json["factor"][1]),
           .l_yy = value_of(json["factor"][2])};
@@ -70,7 +70,7 @@ void read_refs(const Json& json, NoiseRefs& refs, IssueLog& log) {
     refs.tiles.push_back(
         plane_ref(kTileKey + std::to_string(k), noises[k]["tile"], pointer + "/tile", {side, side}, log));
   }
-  const V2i table(Equalisation::kEntries, static_cast<int>(3 * noises.size()));
+  const V2i table(Equalization::kEntries, static_cast<int>(3 * noises.size()));
   refs.spectra.push_back(plane_ref(kHistogramKey, json["histogram"], std::string(kPointer) + "/histogram", table, log));
   check_payload_name(kSpectraName, refs.spectra, std::string(kPointer) + "/noises", log);
   check_payload_name(kTilesName, refs.tiles, std::string(kPointer) + "/noises", log);

@@ -37,16 +37,16 @@ ScalePlane histogram_plane(ModelT& model) {
   plane.key = kHistogramKey;
   plane.ranges = {{-kAnyFloat, kAnyFloat, IssueId::not_finite}};
   plane.shape = {
-      kHistogramKey, {"Y"}, PixelType::float32, Equalisation::kEntries, static_cast<int>(3 * model.noises.size())};
+      kHistogramKey, {"Y"}, PixelType::float32, Equalization::kEntries, static_cast<int>(3 * model.noises.size())};
   const auto values_of = [](auto& noises, int y) -> auto& {
-    return noises[static_cast<size_t>(y / 3)].channels[static_cast<size_t>(y % 3)].equalisation.values;
+    return noises[static_cast<size_t>(y / 3)].channels[static_cast<size_t>(y % 3)].equalization.values;
   };
   plane.get_floats = [&model, values_of](int, int y, float* row) {
-    std::copy_n(values_of(model.noises, y).data(), Equalisation::kEntries, row);
+    std::copy_n(values_of(model.noises, y).data(), Equalization::kEntries, row);
   };
   if constexpr (writable<ModelT>)
     plane.put_floats = [&model, values_of](int, int y, const float* row) {
-      values_of(model.noises, y).assign(row, row + Equalisation::kEntries);
+      values_of(model.noises, y).assign(row, row + Equalization::kEntries);
     };
   return plane;
 }

@@ -15,7 +15,7 @@ inline constexpr int kMaxPictureSide = kMaxTileSize;
 
 /// Whether values that a material cannot have are refused.
 enum class PictureValues {
-  checked,  ///< NaN, infinity and too large colours are refused, negative colours become 0
+  checked,  ///< NaN, infinity and too large colors are refused, negative colors become 0
   kept,     ///< a frame to compare: only decoded; no value and no number of channels is changed, alpha divides nothing
 };
 

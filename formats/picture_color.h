@@ -46,7 +46,7 @@ struct ColorReading {
 ColorReading color_reading(const std::string& path, const ColorFacts& facts, InputSpace space, int channels,
                            const InputCurve& usual);
 
-/// Colour primaries and transfer characteristics by their numbers in H.273, as cICP and nclx give them; numbers that
+/// Color primaries and transfer characteristics by their numbers in H.273, as cICP and nclx give them; numbers that
 /// say nothing leave `facts` as it is. Throws Error(unsupported) for PQ and HLG.
 void add_code_points(const std::string& path, int primaries, int transfer, ColorFacts& facts);
 

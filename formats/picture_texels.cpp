@@ -53,7 +53,7 @@ void read_band(PictureInput& open, int begin, int end, int channel_count, std::v
                         : open.input->read_scanlines(open.part, 0, spec.y + begin, spec.y + end, spec.z, 0,
                                                      channel_count, type, band.data());
 
-  // Decoders pad what is missing with grey and only warn; stray bytes alone change no texel.
+  // Decoders pad what is missing with gray and only warn; stray bytes alone change no texel.
   const std::string words = open.input->geterror();
   const bool harmless = words.find("extraneous bytes") != std::string::npos &&
                         words.find("premature end") == std::string::npos &&

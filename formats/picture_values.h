@@ -26,9 +26,9 @@ struct EnumNames<InputSpace> {
 
 /// What a picture is for.
 enum class PictureRole {
-  color,   ///< light: three channels, decoded to linear Rec.709; grey is promoted
+  color,   ///< light: three channels, decoded to linear Rec.709; gray is promoted
   data,    ///< numbers such as roughness or height, without any curve: one or three channels, integers to 0 … 1
-  normal,  ///< vectors: three channels, decoded to −1 … 1, not renormalised
+  normal,  ///< vectors: three channels, decoded to −1 … 1, not renormalized
 };
 
 /// The curve between the numbers of a file and linear light.

@@ -160,7 +160,7 @@ ScalePlane map_plane(MapT& map) {
   return result;
 }
 
-/// The dominant colours, which stand for the picture where it is not stored: few values, so they take little room.
+/// The dominant colors, which stand for the picture where it is not stored: few values, so they take little room.
 ScalePlane palette_preview(const PrincipalVariation& colors) {
   ScalePlane result =
       plane("preview", "preview", kRgb, PixelType::half, size_of(colors.index), {0, kAnyFloat, IssueId::color_range});

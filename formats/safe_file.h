@@ -1,4 +1,4 @@
-// Writes a file so that its name only ever shows the whole old or the whole new content: aside, checked, synchronised,
+// Writes a file so that its name only ever shows the whole old or the whole new content: aside, checked, synchronized,
 // renamed.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The member `transfer` of a scale: how it takes its colours from the coarser scale before it.
+// The member `transfer` of a scale: how it takes its colors from the coarser scale before it.
 #pragma once
 
 #include "formats/bundle.h"

@@ -49,7 +49,7 @@ double power_of(const Noise& noise) {
   return power;
 }
 
-/// Sums of weighted colours and of their squares.
+/// Sums of weighted colors and of their squares.
 struct Moments {
   double weight = 0;
   Imath::V3d sum{0};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-5;     // three squares of floats near 1
 constexpr double kMeanTolerance = 0x1p-10;  // a mean may have been rounded to half, 11 bits, on its way
-constexpr double kMeanFloor = 1e-6;         // below it colours are black whatever their ratio
+constexpr double kMeanFloor = 1e-6;         // below it colors are black whatever their ratio
 constexpr double kMatrixTolerance = 1;      // of 65536: rounding, either way
 
 bool is_close(const V3f& a, const V3f& b) {
@@ -60,7 +60,7 @@ void check_partition_of(const ScaleUnderTest& test, const char* part, const Part
     else
       at->second.count += fault.count;
   }
-  // A centre, an area or a name without texels in the manifest's list of patches has been reported there.
+  // A center, an area or a name without texels in the manifest's list of patches has been reported there.
   const std::string listed = test.pointer + "/patches";
   for (const auto& [id, issue] : found)
     if (part != std::string("patch") || !std::ranges::any_of(log.issues(), [&, same = id](const Issue& before) {

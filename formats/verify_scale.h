@@ -22,7 +22,7 @@ struct ScaleUnderTest {
 void check_palette(const ScaleUnderTest& test, IssueLog& log);
 /// Recorded means of the base, whole and over each fragment. `mean` is the manifest's.
 void check_means(const ScaleUnderTest& test, const V3f& mean, IssueLog& log);
-/// Connectivity, unwrapping, centres of fragments and patches; patches are unions of whole fragments.
+/// Connectivity, unwrapping, centers of fragments and patches; patches are unions of whole fragments.
 void check_partitions(const ScaleUnderTest& test, IssueLog& log);
 void check_contents(const ScaleUnderTest& test, IssueLog& log);
 

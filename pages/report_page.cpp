@@ -155,7 +155,7 @@ std::string table_row(const Report& report, const MeasureKind& kind) {
   return html + "</tr>\n";
 }
 
-/// The wrap of a map: the rows of the colour's, with what the other methods do not change left out.
+/// The wrap of a map: the rows of the color's, with what the other methods do not change left out.
 std::string map_row(const MapReport& map) {
   return fmt::format(
       "<tr><th scope=\"row\">Wrap seam of the map {}<small>Left to right, and top to bottom.</small></th>"

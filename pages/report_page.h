@@ -8,7 +8,7 @@
 
 namespace texbake {
 
-/// `name` is the bundle's; `palette` its dominant colours, or nullptr.
+/// `name` is the bundle's; `palette` its dominant colors, or nullptr.
 std::string report_page(const Report& report, const std::string& name, const Palette* palette);
 
 /// "0.123 ± 0.004 dB", "not defined here". Three digits.

@@ -15,7 +15,7 @@ uniform int deformed;            // 1 where the structure is deformed; the rest 
 uniform ivec4 deform_matrix;     // structure from picture: xx, xy, yx, yy in 1/65536
 uniform uvec2 deform_from_tile;  // a texel of the picture, within 2^24 texels of those drawn
 uniform ivec2 deform_from;
-uniform uvec2 deform_to_tile;    // where its centre is taken from
+uniform uvec2 deform_to_tile;    // where its center is taken from
 uniform ivec4 deform_to;         // texel x, y; 1/65536 texel x, y
 uniform ivec2 turbulence;        // amplitude in 1/256 texel, log2 of the cells' side in texels
 uniform isampler2D level_table;    // RGBA32I   3 x (L + 1)  blocks.x, blocks.y, corner.x, corner.y; side_256.x, .y, shift.x, .y;

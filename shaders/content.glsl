@@ -13,14 +13,14 @@ struct Texel {
 struct Decision {
   int patch_idx;
   int content;   // 0 ... content_count-1
-  ivec2 owner;   // -1, 0 or 1: where the centre of the patch lies, in repetitions from the texel's own
+  ivec2 owner;   // -1, 0 or 1: where the center of the patch lies, in repetitions from the texel's own
 };
 
 // Where a texel of a content is taken from: a texel of the tile and, for turned or scaled contents, how far it lies
 // towards the next texels to the right and below, in 1/256 texel.
 struct Source {
   ivec2 nearest;   // labels and other data that must not be blended
-  ivec2 texel;     // colours: the upper left of four
+  ivec2 texel;     // colors: the upper left of four
   ivec2 fraction;  // 0 ... 255
   ivec2 matrix;    // (a, b) of the content, 16.16
   int scale;       // lambda of the content, 16.16
@@ -34,16 +34,16 @@ int wrap_any(int x, int n) { return int(uint(x + 4 * n) % uint(n)); }
 
 ivec2 next_texel(ivec2 p, ivec2 size) { return ivec2(wrap_once(p.x + 1, size.x), wrap_once(p.y + 1, size.y)); }
 
-// The content of a patch whose centre lies in the repetition `tile`.
+// The content of a patch whose center lies in the repetition `tile`.
 int drawn_content(int patch_idx, uvec2 tile) {
   uint drawn = content_hash(uint(patch_idx), tile, seed);
   return int(((drawn >> 16u) * content_count) >> 16u);
 }
 
-// Where the centre of a patch lies: (owner.x + 1) | (owner.y + 1) << 2, in repetitions.
+// Where the center of a patch lies: (owner.x + 1) | (owner.y + 1) << 2, in repetitions.
 ivec2 owner_of(uint bits) { return ivec2(int(bits & 3u) - 1, int(bits >> 2u) - 1); }
 
-// The repetition is taken from the patch's centre, so that its halves across a border of the tile agree.
+// The repetition is taken from the patch's center, so that its halves across a border of the tile agree.
 Decision decide(Texel at) {
   uvec4 owned = texelFetch(patch_plane, ivec2(at.p.x, at.p.y + plane_row), 0);
   Decision decision;
@@ -64,7 +64,7 @@ Source moved_source(ivec2 p, ivec4 content) {
   return source;
 }
 
-// A content that is turned or scaled about the centre of its patch. `offset` is in 1/65536 texel; `>>` rounds down for
+// A content that is turned or scaled about the center of its patch. `offset` is in 1/65536 texel; `>>` rounds down for
 // negative numbers too.
 Source turned_source(ivec2 p, ivec4 content, Decision decision) {
   ivec4 center = texelFetch(centers, ivec2(decision.patch_idx + first_patch, 0), 0);

@@ -2,7 +2,7 @@
 // Based on: Guingo et al. 2017, §4, Fig. 3 and 10. Integers up to the position in the structure. Needs noise.glsl and,
 // bound as README.md says,
 //   deformed (0: nothing is), deform_matrix (structure from picture, in 1/65536), deform_from_tile and deform_from (a
-//   texel of the picture near those drawn), deform_to_tile and deform_to (where its centre is taken from: texel, and
+//   texel of the picture near those drawn), deform_to_tile and deform_to (where its center is taken from: texel, and
 //   1/65536 texel), turbulence (amplitude in 1/256 texel, log2 of the side of its cells in texels, 4 ... 10).
 
 // a i / 65536 as whole texels and the rest in 1/65536, 0 ... 65535: exact for |a| <= 2^17, |i| < 2^24.

@@ -174,7 +174,7 @@ Texel surrounding_block(Texel first, Grid grid, int corner) {
   return block;
 }
 
-// The upper left of the four blocks whose centres surround a point, and how far the point lies from its centre, in 1/256
+// The upper left of the four blocks whose centers surround a point, and how far the point lies from its center, in 1/256
 // of its side.
 struct BlockCorner {
   Texel first;
@@ -201,7 +201,7 @@ BlockCorner block_corner(Position at, Grid grid) {
   return corner;
 }
 
-// Between the four blocks whose centres surround a point. Beyond the last level: the mean of all that may be drawn.
+// Between the four blocks whose centers surround a point. Beyond the last level: the mean of all that may be drawn.
 // Loops rather than calls side by side, here and below: drivers copy what a call does into every place that calls.
 vec4 level_value(sampler2D plane, int kind, sampler2D values, Position at, int level) {
   if (level > level_count) return texelFetch(values, ivec2(0, value_row), 0);

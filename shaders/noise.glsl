@@ -5,8 +5,8 @@
 //   (odd; 0 without noise), noise_root (1 where noise is added to the square root of light, 0 where to light).
 
 // Where noise_tiles has what a noise shows at the block (x, y) of 2^level x 2^level texels. Its values follow one another
-// along a row of blocks, in the next row noise_step further, and after the last comes the first: neighbours are
-// neighbours everywhere, and nothing repeats along the axes or with tiles. Levels 1 ... stand on one another right of the
+// along a row of blocks, in the next row noise_step further, and after the last comes the first: neighbors are
+// neighbors everywhere, and nothing repeats along the axes or with tiles. Levels 1 ... stand on one another right of the
 // noise: half as many values, then half of those, and so on.
 ivec2 noise_place_of(uint x, uint y, int level) {
   uint n = x + uint(noise_step) * y;

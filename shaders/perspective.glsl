@@ -35,7 +35,7 @@ struct Ground {
   vec2 down;
 };
 
-// x and y are pixels from the upper left corner of the view, pixel (0, 0) having its centre at (0.5, 0.5).
+// x and y are pixels from the upper left corner of the view, pixel (0, 0) having its center at (0.5, 0.5).
 Ground ground_at(float x, float y) {
   float dx = ray(view_corner.x, view_right.x, view_down.x, x, y);
   float dy = ray(view_corner.y, view_right.y, view_down.y, x, y);

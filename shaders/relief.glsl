@@ -45,7 +45,7 @@ float relief_height(Position at, vec2 slope, int steps) {
 }
 
 // Light from a direction that moves by light.xy, in texels, for a texel of height, on the mean of some normals, which is
-// not normalised: it is linear in them, so that the light on their mean is the mean of theirs, where none of them turns
+// not normalized: it is linear in them, so that the light on their mean is the mean of theirs, where none of them turns
 // away. On a flat surface it is 1. light.z is the share of light from everywhere; `up` is 1 where +y of the normals points
 // up, else -1; normal.z is in relief.w.
 float shade_of_normals(vec4 relief, float up, vec4 light) {

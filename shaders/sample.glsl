@@ -2,7 +2,7 @@
 // Needs content.glsl, and PRECISE: `precise` where the language has it, else nothing.
 
 // A point of the infinite texture: the repetition of the tile, modulo 2^32, and the place there in 1/256 texel,
-// 0 ... 256 size - 1. The centre of texel p is at 256 p + 128.
+// 0 ... 256 size - 1. The center of texel p is at 256 p + 128.
 struct Position {
   uvec2 tile;
   ivec2 offset;
@@ -35,7 +35,7 @@ vec4 bilinear(vec4 upper_left, vec4 upper_right, vec4 lower_left, vec4 lower_rig
   return lerp(upper, lower, weight_of(fraction.y));
 }
 
-// The centre of pixel `pixel` of a window whose upper left corner is at `origin`, with `step` 1/256 texels to a pixel.
+// The center of pixel `pixel` of a window whose upper left corner is at `origin`, with `step` 1/256 texels to a pixel.
 // 256 size < 2^23 and offset + pixel step + step / 2 < 2^32.
 Position pixel_position(Position origin, uint step_256, uvec2 pixel) {
   uvec2 size = uvec2(uint(tile_size.x) * 256u, uint(tile_size.y) * 256u);
@@ -55,7 +55,7 @@ Texel texel_at(Position at) {
   return texel;
 }
 
-// The upper left of the four texels whose centres surround a point, and how far the point lies from its centre.
+// The upper left of the four texels whose centers surround a point, and how far the point lies from its center.
 Position upper_left_center(Position at) {
   Position moved = at;
   moved.offset = ivec2(at.offset.x - 128, at.offset.y - 128);

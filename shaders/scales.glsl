@@ -1,4 +1,4 @@
-// Several scales of one material, coarse to fine: the colour of a coarse texel passes to the fine fragments inside it.
+// Several scales of one material, coarse to fine: the color of a coarse texel passes to the fine fragments inside it.
 // Based on: Vanhoey et al. 2013, §6, eq. 5, Fig. 6. Needs noise.glsl, levels.glsl and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
 //
 // One texture holds the planes of all scales, one below the other; `use_scale` says which of them the functions of
@@ -102,9 +102,9 @@ float texels_in(int scale) {
   return size;
 }
 
-// Where the centre of the fragment that shows at `at` lies in the infinite texture: a texel of the repetition at.tile,
-// perhaps outside it. `labels` are those of the source; their xy lead to the centre there.
-// For a turned content the way from the content's centre to the fragment's, the same for all of its texels, is turned
+// Where the center of the fragment that shows at `at` lies in the infinite texture: a texel of the repetition at.tile,
+// perhaps outside it. `labels` are those of the source; their xy lead to the center there.
+// For a turned content the way from the content's center to the fragment's, the same for all of its texels, is turned
 // back: by the inverse of (a, b) / 65536, which is lambda^2 (a, -b) / 65536, in 1/16384.
 ivec2 fragment_center(Texel at, Decision decision, Source source, ivec4 labels) {
   if (source.matrix.x == 65536 && source.matrix.y == 0) return ivec2(at.p.x + labels.x, at.p.y + labels.y);
@@ -121,7 +121,7 @@ ivec2 fragment_center(Texel at, Decision decision, Source source, ivec4 labels) 
   return ivec2(patch_x + ((a * from_x + b * from_y + 8192) >> 14), patch_y + ((a * from_y - b * from_x + 8192) >> 14));
 }
 
-// A colour with its variation, what it has beside the dominant colour of its class, times `share` and the class's gain.
+// A color with its variation, what it has beside the dominant color of its class, times `share` and the class's gain.
 vec4 with_variation(vec4 color, int class_idx, float share) {
   vec4 entry = texelFetch(color_table, ivec2(first_class + class_idx, 0), 0);
   float kept = share * entry.w;
@@ -140,13 +140,13 @@ vec4 detail_mean(int scale, ivec2 p, float share) {
   return moved;
 }
 
-// What one scale shows at a texel, and where the next coarser one gives its colour.
+// What one scale shows at a texel, and where the next coarser one gives its color.
 struct Shown {
   vec4 color;
-  vec4 mean;      // of the scale's detail: what the coarser colour replaces
-  float giving;   // share of this colour that a finer scale gets
-  float taking;   // share of the coarser colour that is taken
-  Texel anchor;   // texel of this scale at whose place the coarser colour is read; p may lie outside the tile
+  vec4 mean;      // of the scale's detail: what the coarser color replaces
+  float giving;   // share of this color that a finer scale gets
+  float taking;   // share of the coarser color that is taken
+  Texel anchor;   // texel of this scale at whose place the coarser color is read; p may lie outside the tile
 };
 
 // What the patches of a texel on a soft border show there of `scale`, which is in use, whatever levels are. `alone` is what
@@ -172,7 +172,7 @@ vec4 shared_color(int scale, Texel at, float share, vec4 alone) {
   return share == 1.0f ? whole : share == 0.0f ? dominant : lerp(dominant, whole, share);
 }
 
-// Of `scale`, which is in use. The coarser colour is that of the texel's own patch.
+// Of `scale`, which is in use. The coarser color is that of the texel's own patch.
 Shown shown_texel(int scale, Texel at, float variation) {
   float share = (transfer_bits & kNoVariation) != 0 ? 0.0f : variation;
   Decision decision = decide(at);
@@ -197,7 +197,7 @@ Shown shown_texel(int scale, Texel at, float variation) {
   return shown;
 }
 
-// A colour with those of all coarser scales in its xyz, and in its w the share of it that a finer scale gets.
+// A color with those of all coarser scales in its xyz, and in its w the share of it that a finer scale gets.
 // The texel `place` of scale `finest`: eq. 5, scale by scale. `variation` is the share that is left of the finest scale's.
 // Leaves another scale in use.
 vec4 stacked_texel(int finest, Texel place, float variation) {

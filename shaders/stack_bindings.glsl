@@ -9,17 +9,17 @@ uniform usampler2D level_weights;   // RGBA16UI  of its values of base_levels, w
 uniform ivec2 noise_log2;
 uniform int noise_root;
 uniform int finest_noise_step;      // noise_step of the finest scale; 0 without noise
-uniform isampler2D fragment_plane;  // RGBA16I  way to the fragment's centre x, y; class of the fragment, of the texel
+uniform isampler2D fragment_plane;  // RGBA16I  way to the fragment's center x, y; class of the fragment, of the texel
 uniform sampler2D local_mean;       // RGBA32F  where a scale subtracts a local mean
 uniform isampler2D scale_table;     // RGBA32I  row 0: centers as in bindings.glsl; then for each scale W, H, plane_row, first_patch;
                                     //          N_t, ratio, first_class, bits; level_row, block_row, entry_row, level_count;
                                     //          value_row, dominant_row, share_row, 256 variationFade; then level_table
-uniform sampler2D color_table;      // RGBA32F  rows 0, 1, for each class: dominant colour, gain; taking, giving, 0, 0; then for
+uniform sampler2D color_table;      // RGBA32F  rows 0, 1, for each class: dominant color, gain; taking, giving, 0, 0; then for
                                     //          each scale the mean of the dominant part and that of the tile with its gains
 uniform usampler2D level_blocks;    // RG32UI   as in bindings.glsl, as are the next two
 uniform usampler2D level_entries;   // RG16UI   4096 x n
-uniform sampler2D base_levels;      // RGBA32F  4096 x n  of the bases with their gains; of dominant colours; w: taking
-uniform isampler2D fragment_shares; // RGBA32I  4096 x n  of each value of a block its first fragment, then the others: centre x + 65536 y;
+uniform sampler2D base_levels;      // RGBA32F  4096 x n  of the bases with their gains; of dominant colors; w: taking
+uniform isampler2D fragment_shares; // RGBA32I  4096 x n  of each value of a block its first fragment, then the others: center x + 65536 y;
                                     //                  bits of its share times taking; source x + 65536 y; number of the next
 uniform int scale_count;            // S
 uniform uint stack_seed;

@@ -1,4 +1,4 @@
-// Levels of detail of a stack: what a scale shows over a block of its texels, with the coarser colours that the fragments
+// Levels of detail of a stack: what a scale shows over a block of its texels, with the coarser colors that the fragments
 // there take.
 // Based on: Lutz et al. 2019, for levels; Vanhoey et al. 2013, eq. 5, averaged over a block. Needs levels.glsl, scales.glsl
 // and what stack_bindings.glsl binds, as README.md specifies under "Several scales".
@@ -22,7 +22,7 @@ vec4 taken_by_fragments(int scale, uint number, uvec2 tile, float share, float c
   return sum;
 }
 
-// The coarser colours over a block: the mean of the texels that lie over it, by the part of it that they cover, in 1/256.
+// The coarser colors over a block: the mean of the texels that lie over it, by the part of it that they cover, in 1/256.
 // `corner` is the block's first texel, `side` its texels on each axis.
 vec4 coarser_mean(int scale, Texel corner, ivec2 side, float coarser_share) {
   ivec2 start = coarser_origin(scale, corner).offset;
@@ -49,8 +49,8 @@ vec4 coarser_mean(int scale, Texel corner, ivec2 side, float coarser_share) {
   return mean;
 }
 
-// What texels of a block take that is coloured as a whole, less what they replace: by the parts of coarse texels over it,
-// or by what lies between four at its centre. w: the share that is given.
+// What texels of a block take that is colored as a whole, less what they replace: by the parts of coarse texels over it,
+// or by what lies between four at its center. w: the share that is given.
 vec4 taken_as_whole(int scale, Texel block, Grid grid, float share, float coarser_share) {
   ivec2 side = ivec2(grid.side_256.x >> 8, grid.side_256.y >> 8);
   Texel corner = block;
@@ -81,7 +81,7 @@ vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
   float coarser_share = (transfer_bits & kNoCoarserVariation) != 0 ? 0.0f : 1.0f;
   bool by_fragment = scale > 0 && (transfer_bits & kTransferMode) == kTransferFragment;
 
-  // Shares of the base, of the dominant colours, and of the coarser colours, patch by patch.
+  // Shares of the base, of the dominant colors, and of the coarser colors, patch by patch.
   uvec2 owned = first_owned(found);
   uint end = found.x + entries_after(found);
   PRECISE vec4 whole = vec4(0.0f, 0.0f, 0.0f, 0.0f);

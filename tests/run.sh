@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every test in one command on a bare Debian 12: installs what is missing, builds for release and for debugging with
-# address and undefined-behaviour sanitizers, runs the tests of both. The last line is the sum: N passed, M failed, K skipped.
+# address and undefined-behavior sanitizers, runs the tests of both. The last line is the sum: N passed, M failed, K skipped.
 set -uo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root" || exit

@@ -83,7 +83,7 @@ std::vector<Pebble> scatter(uint32_t seed) {
   return pebbles;
 }
 
-/// 1 at the centre, 0 on the outline, negative outside.
+/// 1 at the center, 0 on the outline, negative outside.
 float inside(const Pebble& pebble, V2f d) {
   const float u = d.dot(pebble.axis) / pebble.radius;
   const float v = (d.y * pebble.axis.x - d.x * pebble.axis.y) / (pebble.radius * pebble.flatness);

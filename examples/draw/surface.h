@@ -1,4 +1,4 @@
-// A drawn surface: colour, relief and roughness under one roof, and the light that falls on it.
+// A drawn surface: color, relief and roughness under one roof, and the light that falls on it.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Surface {
       : albedo(width, height_px), height(width, height_px), roughness(width, height_px, 1.0f), border(border_rule) {}
 
   V2i size() const { return {albedo.width(), albedo.height()}; }
-  /// Position of a texel's centre in units of the picture's width.
+  /// Position of a texel's center in units of the picture's width.
   V2f place(int x, int y) const {
     const auto unit = static_cast<float>(albedo.width());
     return {(static_cast<float>(x) + 0.5f) / unit, (static_cast<float>(y) + 0.5f) / unit};
@@ -27,7 +27,7 @@ struct Surface {
 };
 
 /// Calls `paint(d, x, y)` for every texel within `radius` of `center`, both in units of the picture's width: d leads
-/// from the centre to the texel. Wraps where the surface tiles, else leaves out what lies outside.
+/// from the center to the texel. Wraps where the surface tiles, else leaves out what lies outside.
 template <class Paint>
 void stamp(const Surface& surface, V2f center, float radius, const Paint& paint) {
   const V2i size = surface.size();
@@ -54,7 +54,7 @@ Image<V3f> normals(const Surface& surface);
 Image<V3f> halved(ImageView<const V3f> image);
 Image<float> halved(ImageView<const float> image);
 
-/// Linear Rec.709 of an sRGB colour such as 0xb5462e.
+/// Linear Rec.709 of an sRGB color such as 0xb5462e.
 V3f color(uint32_t srgb);
 
 inline V3f blend(const V3f& a, const V3f& b, float w) { return a + (b - a) * w; }

@@ -7,7 +7,7 @@
 
 namespace texbake {
 
-/// Σ_p image(p) · exp(−2πi f·p/size), not normalised; all width × height frequencies. T is float or double.
+/// Σ_p image(p) · exp(−2πi f·p/size), not normalized; all width × height frequencies. T is float or double.
 template <class T>
 Image<std::complex<T>> fft(ImageView<const T> image);
 

@@ -1,4 +1,4 @@
-// Rounding to half float, the type in which colours, variations and masks are stored.
+// Rounding to half float, the type in which colors, variations and masks are stored.
 #pragma once
 
 #include <Imath/half.h>

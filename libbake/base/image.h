@@ -1,4 +1,4 @@
-// The image types of texbake. Row 0 is the top, x runs right, y runs down; the centre of texel (x, y) is
+// The image types of texbake. Row 0 is the top, x runs right, y runs down; the center of texel (x, y) is
 // (x + 0.5, y + 0.5). An exemplar is a torus: texel (width, y) is texel (0, y).
 #pragma once
 
@@ -41,7 +41,7 @@ class ImageView {
   int height_ = 0;
 };
 
-/// A zero of any pixel type. Imath's vectors are left uninitialised by their default constructor.
+/// A zero of any pixel type. Imath's vectors are left uninitialized by their default constructor.
 template <class T>
 constexpr T zero_pixel() {
   if constexpr (std::is_constructible_v<T, int>)

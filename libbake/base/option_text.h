@@ -15,7 +15,7 @@ namespace texbake {
 std::string number_range_text(const Field& field);
 std::string names_text(std::span<const std::string_view> names);
 
-/// Throw Error(usage) `--classes: expected 1 to 64 colours, found "many"`. `flag` is the name after "--".
+/// Throw Error(usage) `--classes: expected 1 to 64 colors, found "many"`. `flag` is the name after "--".
 double parse_number(std::string_view flag, const Field& field, std::string_view text);
 int64_t parse_integer(std::string_view flag, const Field& field, std::string_view text);
 /// The position of `text` among `names`; the error suggests the nearest.

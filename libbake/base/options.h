@@ -37,7 +37,7 @@ struct Field {
   const char* auto_help = "";  ///< for std::optional: how the value is chosen when it is not given
 };
 
-/// The names of an enum's values. Specialise with
+/// The names of an enum's values. Specialize with
 /// `static constexpr std::pair<E, std::string_view> values[] = {{E::a, "a"}, ...};`
 template <class E>
 struct EnumNames;

@@ -1,5 +1,5 @@
 // What a person may have meant by a word that is not known.
-// Based on: Levenshtein 1966; Damerau 1964 for the swap of two neighbours.
+// Based on: Levenshtein 1966; Damerau 1964 for the swap of two neighbors.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace texbake {
 
-/// Least number of insertions, deletions, replacements and swaps of neighbouring bytes that turns `a` into `b`.
+/// Least number of insertions, deletions, replacements and swaps of neighboring bytes that turns `a` into `b`.
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The known word nearest to `word`, the first of equals; nothing when even that is too far to be a typing mistake.

@@ -20,8 +20,8 @@ inline V2i wrap(V2i p, V2i size) { return {wrap(p.x, size.x), wrap(p.y, size.y)}
 inline int shortest(int d, int n) { return wrap(d + n / 2, n) - n / 2; }
 inline V2i shortest(V2i d, V2i size) { return {shortest(d.x, size.x), shortest(d.y, size.y)}; }
 
-/// The four neighbours that share an edge, in the fixed order in which every stage visits them.
-inline constexpr int kNeighbourX[4] = {1, 0, -1, 0};
-inline constexpr int kNeighbourY[4] = {0, 1, 0, -1};
+/// The four neighbors that share an edge, in the fixed order in which every stage visits them.
+inline constexpr int kNeighborX[4] = {1, 0, -1, 0};
+inline constexpr int kNeighborY[4] = {0, 1, 0, -1};
 
 }  // namespace texbake

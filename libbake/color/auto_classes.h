@@ -1,5 +1,5 @@
-// Good colour lines from scratch, and how many of them an exemplar needs.
-// Based on: Vanhoey et al. 2013, §4: octree-quantised starts at several scalings of the luminance, least error kept.
+// Good color lines from scratch, and how many of them an exemplar needs.
+// Based on: Vanhoey et al. 2013, §4: octree-quantized starts at several scalings of the luminance, least error kept.
 #pragma once
 
 #include "libbake/color/line_kmeans.h"

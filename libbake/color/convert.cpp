@@ -22,7 +22,7 @@ constexpr size_t kFewColors = 256;  // an exemplar with fewer may hide one from 
 constexpr int kBands = 64;          // rows are summed band by band, whatever the number of threads
 constexpr float kLargestVariation = 60000;
 
-// Points of the exemplar; where there are few colours, each is among them.
+// Points of the exemplar; where there are few colors, each is among them.
 PointSet sample_with_rare_colors(const PointSource& source, int max_count, const std::vector<PointF>& distinct) {
   PointSet points = sample(source, max_count);
   if (distinct.size() < kFewColors && static_cast<size_t>(points.size()) < source.exemplar.size())
@@ -43,7 +43,7 @@ std::vector<ColorLine> start_lines(const PointSource& source, const ConvertOptio
   const PointSet points = sample_with_rare_colors(source, kSearchTexels, distinct);
   std::vector<ColorLine> lines = options.classes ? best_lines(points, *options.classes, options.along_weight).lines
                                                  : best_lines_of_auto_count(points, options.along_weight).lines;
-  // Colours closer than the octree's cells: the classes still missing start empty and take the worst points.
+  // Colors closer than the octree's cells: the classes still missing start empty and take the worst points.
   if (options.classes) lines.resize(static_cast<size_t>(*options.classes), lines.front());
   return lines;
 }
@@ -57,7 +57,7 @@ Band band(int i, int height) {
           static_cast<int>(static_cast<int64_t>(i + 1) * height / kBands)};
 }
 
-// Gives every texel the nearest line and returns the moments of the colours of each class.
+// Gives every texel the nearest line and returns the moments of the colors of each class.
 std::vector<Moments> assign_texels(const PointSource& source, const std::vector<ColorLine>& lines, float along_weight,
                                    Image<uint8_t>& index) {
   std::vector<std::vector<Moments>> partial(kBands, std::vector<Moments>(lines.size()));
@@ -79,7 +79,7 @@ std::vector<Moments> assign_texels(const PointSource& source, const std::vector<
   return moments;
 }
 
-// D and V of the colours of a class. A class of one colour varies along lightness.
+// D and V of the colors of a class. A class of one color varies along lightness.
 ColorClass color_class(const Moments& moments) {
   const PointD mean = moments.mean();
   const PrincipalAxis axis = principal_axis(moments.covariance(), 3);

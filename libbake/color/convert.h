@@ -1,5 +1,5 @@
-// Finds the principal variation colour space of an exemplar.
-// Based on: Vanhoey et al. 2013, §4: K-means with the distance to the line of eq. 1, from octree-quantised starts.
+// Finds the principal variation color space of an exemplar.
+// Based on: Vanhoey et al. 2013, §4: K-means with the distance to the line of eq. 1, from octree-quantized starts.
 #pragma once
 
 #include <optional>
@@ -50,20 +50,20 @@ struct Conversion {
 };
 
 /// The options with K filled in: `convert` gives the same bytes with either. Throws Error(bad_data) when the exemplar
-/// has fewer distinct colours than `classes`; with a height, colours of different height are distinct.
+/// has fewer distinct colors than `classes`; with a height, colors of different height are distinct.
 ConvertOptions resolve(const ConvertOptions& options, ImageView<const V3f> exemplar,
                        ImageView<const float> height_01 = {});
 
 /// `exemplar` is a tile in linear Rec.709, not empty; `height_01` is empty or of the same size. K and the start are
 /// chosen on a sample of at most 2^14 texels, the classes are refined on at most 2^18; then every texel gets the
-/// nearest class, and D_i and V_i are mean and principal axis of the colours of all its texels, whatever their heights.
-/// The palette comes out smaller than `classes` only where colours are one to the eye (0.001 ΔE), or with along_weight
-/// = 0, for which colours on one line are one class.
+/// nearest class, and D_i and V_i are mean and principal axis of the colors of all its texels, whatever their heights.
+/// The palette comes out smaller than `classes` only where colors are one to the eye (0.001 ΔE), or with along_weight
+/// = 0, for which colors on one line are one class.
 ///
-/// The weight of the distance along the line is what eq. 1 lacks: lines have no ends, so that colours far apart which
+/// The weight of the distance along the line is what eq. 1 lacks: lines have no ends, so that colors far apart which
 /// happen to lie on one line share a class, and where lines cross the classes mix from texel to texel. On fourteen
 /// photographs with K = 4 and 6 the default, against eq. 1 alone, leaves a quarter fewer connected pieces of one class
-/// and brings the dominant colours 23 and 34 % nearer to the picture, for 12 and 19 % more colour error.
+/// and brings the dominant colors 23 and 34 % nearer to the picture, for 12 and 19 % more color error.
 Conversion convert(ImageView<const V3f> exemplar, ImageView<const float> height_01, const ConvertOptions& options = {},
                    const Progress& progress = {});
 

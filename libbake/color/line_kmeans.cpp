@@ -13,7 +13,7 @@ constexpr int kBlock = 4096;      // points whose moments are summed by one task
 constexpr int kLane = 512;        // points whose running minima stay in the first cache level
 constexpr float kNoCost = 1e-6f;  // (0.001 ΔE)²: the point lies on its class
 
-// r² + w t² with D known when compiled, so that loops over points unroll the coordinates and vectorise.
+// r² + w t² with D known when compiled, so that loops over points unroll the coordinates and vectorize.
 template <int D>
 float cost(const float* const (&coordinates)[4], int i, const ColorLine& line, float keep) {
   float squared = 0, along = 0;
@@ -25,7 +25,7 @@ float cost(const float* const (&coordinates)[4], int i, const ColorLine& line, f
   return squared - keep * (along * along);
 }
 
-// Running minima over the lines, for up to kLane points. The choice is made with masks: a branch would not vectorise.
+// Running minima over the lines, for up to kLane points. The choice is made with masks: a branch would not vectorize.
 template <int D>
 void assign_lane(const float* const (&coordinates)[4], int count, std::span<const ColorLine> lines, float along_weight,
                  uint8_t* labels) {

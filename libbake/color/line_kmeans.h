@@ -1,4 +1,4 @@
-// K-means in which a class is a line: a dominant colour and a direction of variation.
+// K-means in which a class is a line: a dominant color and a direction of variation.
 // Based on: Vanhoey et al. 2013, §4, eq. 1.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace texbake {
 
-/// D_i and V_i of one class, in the coordinates of the points. V_i = 0 is a class of one colour.
+/// D_i and V_i of one class, in the coordinates of the points. V_i = 0 is a class of one color.
 struct ColorLine {
   PointF point{};
   PointF direction{};
@@ -39,7 +39,7 @@ void assign_to_lines(const std::array<const float*, 4>& coordinates, int dimensi
 /// r² + w t² of one point.
 float line_cost(const PointF& point, const ColorLine& line, float along_weight);
 
-/// From classes that are single colours. A class that becomes empty takes the point of greatest cost; it stays empty
+/// From classes that are single colors. A class that becomes empty takes the point of greatest cost; it stays empty
 /// only where no point has a cost. 1 … 64 starts, at least one point.
 LineKMeansResult line_kmeans(const PointSet& points, std::span<const PointF> starts, const LineKMeansOptions& options);
 /// From lines found before.

@@ -20,7 +20,7 @@ constexpr double kLinearFromXyz[3][3] = {{3.2409699419045226, -1.537383177570094
                                          {-0.9692436362808796, 1.8759675015077202, 0.04155505740717559},
                                          {0.05563007969699366, -0.20397695888897652, 1.0569715142428786}};
 
-// White is (1, 1, 1) through the same matrix, so that greys have u* = v* = 0.
+// White is (1, 1, 1) through the same matrix, so that grays have u* = v* = 0.
 constexpr double kWhiteX = kXyzFromLinear[0][0] + kXyzFromLinear[0][1] + kXyzFromLinear[0][2];
 constexpr double kWhiteY = kXyzFromLinear[1][0] + kXyzFromLinear[1][1] + kXyzFromLinear[1][2];
 constexpr double kWhiteZ = kXyzFromLinear[2][0] + kXyzFromLinear[2][1] + kXyzFromLinear[2][2];

@@ -6,9 +6,9 @@
 
 namespace texbake {
 
-/// (L, u*, v*) of a linear Rec.709 colour; L is 100 for (1, 1, 1). Black gives (0, 0, 0). Negative and > 1 values are
-/// carried through where the formula allows, so that the pair of functions round-trips: for real colours to 1e-5 of the
-/// largest channel, for colours outside Rec.709 as long as v' ≥ 1/64 (the spectral locus ends at 0.0166).
+/// (L, u*, v*) of a linear Rec.709 color; L is 100 for (1, 1, 1). Black gives (0, 0, 0). Negative and > 1 values are
+/// carried through where the formula allows, so that the pair of functions round-trips: for real colors to 1e-5 of the
+/// largest channel, for colors outside Rec.709 as long as v' ≥ 1/64 (the spectral locus ends at 0.0166).
 V3f luv_from_linear(const V3f& linear);
 V3f linear_from_luv(const V3f& luv);
 Image<V3f> luv_from_linear(ImageView<const V3f> linear);

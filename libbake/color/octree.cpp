@@ -1,4 +1,4 @@
-// The tree is kept as its list of leaves, sorted by the path from the root: the leaves of one node are neighbours
+// The tree is kept as its list of leaves, sorted by the path from the root: the leaves of one node are neighbors
 // there.
 #include "libbake/color/octree.h"
 

@@ -1,4 +1,4 @@
-// A few representative colours of many, by an octree over colour space.
+// A few representative colors of many, by an octree over color space.
 // Based on: Gervautz & Purgathofer 1990, "A simple method for color quantization: octree quantization".
 #pragma once
 

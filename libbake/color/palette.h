@@ -1,4 +1,4 @@
-// The principal variation colour space: K dominant colours, each with one direction of variation.
+// The principal variation color space: K dominant colors, each with one direction of variation.
 // Based on: Vanhoey et al. 2013, §4, eq. 1.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace texbake {
 
-/// One colour class. Colours of the class are C = dominant + v · variation, in CIELUV (D65, L in 0 … 100).
+/// One color class. Colors of the class are C = dominant + v · variation, in CIELUV (D65, L in 0 … 100).
 struct ColorClass {
   V3f dominant{0};   ///< D_i, the mean of the class: (L, u*, v*)
   V3f variation{0};  ///< V_i, a unit vector; its component of largest magnitude is positive
@@ -21,14 +21,14 @@ struct Palette {
 };
 inline constexpr int kMaxClasses = 64;
 
-/// An exemplar in its principal variation colour space.
+/// An exemplar in its principal variation color space.
 struct PrincipalVariation {
   Palette palette;
   Image<uint8_t> index;    ///< class of each texel, 0 … K−1
   Image<float> variation;  ///< coordinate v along V_i in ΔE units, half-exact
 };
 
-/// The colour that (index, variation) stands for, linear Rec.709: the paper's compact form. Channels that would be
+/// The color that (index, variation) stands for, linear Rec.709: the paper's compact form. Channels that would be
 /// negative are 0.
 Image<V3f> decode(const PrincipalVariation& colors);
 /// The dominant part alone: D_i of each texel, linear Rec.709.

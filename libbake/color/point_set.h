@@ -1,4 +1,4 @@
-// The colours of an exemplar as points: (L, u*, v*) and, where there is relief, the weighted height as fourth.
+// The colors of an exemplar as points: (L, u*, v*) and, where there is relief, the weighted height as fourth.
 // Based on: Vanhoey et al. 2013, §4 and §7.
 #pragma once
 
@@ -26,7 +26,7 @@ struct PointSet {
   void append(const PointF& point);
 };
 
-/// Where the colours and heights of an exemplar come from. `height_01` is empty or of the exemplar's size.
+/// Where the colors and heights of an exemplar come from. `height_01` is empty or of the exemplar's size.
 struct PointSource {
   ImageView<const V3f> exemplar;  ///< linear Rec.709
   ImageView<const float> height_01;

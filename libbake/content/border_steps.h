@@ -1,6 +1,6 @@
 // How visible the borders of patches are with contents on both sides, texel by texel.
 // Based on: quality measures of seams against the exemplar's own steps. The impact of Vanhoey et al. 2013, eq. 2, knows
-// mean colours of classes and the original neighbour alone; at run time both sides have exchanged their contents.
+// mean colors of classes and the original neighbor alone; at run time both sides have exchanged their contents.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace texbake {
 
-/// Keeps, for every content that a patch may have, how visibly it steps against all that its neighbours have now.
+/// Keeps, for every content that a patch may have, how visibly it steps against all that its neighbors have now.
 /// Sums are integers, so that they do not depend on the order of changes.
 class BorderSteps {
  public:
@@ -26,10 +26,10 @@ class BorderSteps {
   void add(size_t patch, size_t number) { change(patch, number, 1); }
   void remove(size_t patch, size_t number) { change(patch, number, -1); }
 
-  /// The mean, over the texels at the patch's borders and what its neighbours have, of
+  /// The mean, over the texels at the patch's borders and what its neighbors have, of
   ///   P(step > own) + ½ P(step = own) + ½ [step > 95th percentile of own],
   /// where own are the base's steps across all borders before any exchange, in sixteenths of ΔE: 0.525 where nothing
-  /// is exchanged, 0 … 1.5. Nothing to see, 0, for a patch whose neighbours have no content.
+  /// is exchanged, 0 … 1.5. Nothing to see, 0, for a patch whose neighbors have no content.
   double visibility(size_t patch, size_t number) const;
 
  private:
@@ -39,7 +39,7 @@ class BorderSteps {
   struct Side {
     size_t other = 0;
     std::vector<V2i> inside;   ///< texels of the patch
-    std::vector<V2i> outside;  ///< their neighbours in `other`
+    std::vector<V2i> outside;  ///< their neighbors in `other`
   };
 
   int step(const V3f& a, const V3f& b) const;
@@ -53,7 +53,7 @@ class BorderSteps {
   const Partition& patches_;
   std::vector<std::vector<Side>> sides_;      // of each patch
   std::array<int64_t, kSteps> visibility_{};  // of each step, in 1/kOne
-  std::vector<std::vector<int64_t>> sums_;    // of each patch and number, over its pairs and the neighbours' contents
+  std::vector<std::vector<int64_t>> sums_;    // of each patch and number, over its pairs and the neighbors' contents
   std::vector<int64_t> counts_;               // of each patch
 };
 

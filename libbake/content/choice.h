@@ -35,7 +35,7 @@ using ChosenCandidates = std::vector<std::vector<int>>;
 /// The first `wanted` candidates of each patch: the least impact.
 ChosenCandidates choose_least_impact(const ContentCandidates& candidates, int wanted);
 
-/// Balanced: minimises, over all P patches together,
+/// Balanced: minimizes, over all P patches together,
 ///   balance · P · |B Σ_P mean_c f_c|² / E
 ///   + energy · Σ_P |log(mean_c |B f_c|² / (share_P · E))|  +  farther_energy · the same with another B
 ///   + impact · Σ_P Σ_c I_c / mean I  +  steps · Σ_P mean visibility of P's borders

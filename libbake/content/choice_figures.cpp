@@ -20,7 +20,7 @@ struct GSums {
   double repetition() const { return all > 0.0 ? shared / all : 0.0; }
 };
 
-// Adds what the colours `z` that show at one place with the contents of its patch contribute.
+// Adds what the colors `z` that show at one place with the contents of its patch contribute.
 template <class ColorOf>
 void add_place(std::span<const Content> contents, const ColorOf& color_of, GSums& sums) {
   V3f sum(0);

@@ -16,7 +16,7 @@ struct ChoiceFigures {
 
 /// G = |B mean z|² / mean |B z|², where z is the infinite texture less the tile's mean, averaged over all draws of
 /// contents, and B the low-pass: none for `repetition_near`, that of far_view.h for `repetition_far`. A tile of one
-/// colour has G = 0. `base_luv` is the base in CIELUV.
+/// color has G = 0. `base_luv` is the base in CIELUV.
 ChoiceFigures choice_figures(const ContentTable& table, ImageView<const V3f> base_luv, const Partition& patches);
 
 }  // namespace texbake

@@ -32,7 +32,7 @@ struct ClassDistances {
   }
 };
 
-/// `mean_luv` holds the mean colour of each class, 1 … kMaxContentClasses of them.
+/// `mean_luv` holds the mean color of each class, 1 … kMaxContentClasses of them.
 ClassDistances class_distances(std::span<const V3f> mean_luv);
 
 }  // namespace texbake

@@ -10,7 +10,7 @@
 
 namespace texbake {
 
-/// Where a patch's texels come from. A texel at offset d from the patch's centre c shows the base at
+/// Where a patch's texels come from. A texel at offset d from the patch's center c shows the base at
 ///   c + translation + (a·d.x − b·d.y, b·d.x + a·d.y) / 65536,   wrapped to the tile,
 /// with a = 65536 cos θ / λ and b = −65536 sin θ / λ: the content appears turned by θ and λ times its size.
 struct Content {
@@ -26,8 +26,8 @@ struct Content {
 /// The content turned by `rotation_eighths` · π/4 and `scale` times its size, of impact 0.
 Content make_content(V2i translation, int rotation_eighths, float scale);
 
-/// Where a content takes the texel at offset `d` from the centre of its patch from, for labels: the nearest texel,
-/// relative to the centre too, not wrapped. The same as turned_source in shaders/content.glsl.
+/// Where a content takes the texel at offset `d` from the center of its patch from, for labels: the nearest texel,
+/// relative to the center too, not wrapped. The same as turned_source in shaders/content.glsl.
 inline V2i source_offset(const Content& content, V2i d) {
   const auto nearest = [](int64_t fixed) { return static_cast<int>((fixed + 32768) >> 16); };
   const auto a = int64_t{content.a}, b = int64_t{content.b};

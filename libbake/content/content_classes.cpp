@@ -12,7 +12,7 @@ ContentClasses content_classes(const PrincipalVariation& colors, ImageView<const
   const Image<float> salient = saliency(colors);
   result.saliency_threshold = two_class_threshold(salient);
 
-  // Sum the colours of both halves of every class.
+  // Sum the colors of both halves of every class.
   const size_t halves = 2 * colors.palette.classes.size();
   std::vector<std::array<double, 3>> sums(halves);
   std::vector<size_t> counts(halves, 0);

@@ -1,5 +1,5 @@
-// The classes by whose mean colours contents are compared: dominant colour and saliency together.
-// Based on: Vanhoey et al. 2013, §5.2: the dominant colours' classes, refined by two classes of saliency.
+// The classes by whose mean colors contents are compared: dominant color and saliency together.
+// Based on: Vanhoey et al. 2013, §5.2: the dominant colors' classes, refined by two classes of saliency.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ContentClasses {
   int count() const { return static_cast<int>(mean_luv.size()); }
 };
 
-/// At most 2K classes, those of dominant colour 0 first, the salient ones after the others. `base` is the picture
+/// At most 2K classes, those of dominant color 0 first, the salient ones after the others. `base` is the picture
 /// behind `colors`, linear Rec.709.
 ContentClasses content_classes(const PrincipalVariation& colors, ImageView<const V3f> base);
 

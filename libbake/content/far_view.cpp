@@ -85,7 +85,7 @@ FarView::FarView(ImageView<const V3f> base_luv, const Partition& patches)
 }
 
 void FarView::find_pieces(const Partition& patches) {
-  // Where each patch lies, in steps from the cell of its centre.
+  // Where each patch lies, in steps from the cell of its center.
   std::vector<V2i> low(patches_.size(), grid_.cells), high(patches_.size(), V2i(0) - grid_.cells);
   const auto step_to = [&](uint32_t patch, V2i p) {
     return shortest(grid_.cell_of(p) - grid_.cell_of(patches.centers[patch]), grid_.cells);

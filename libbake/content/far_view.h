@@ -13,7 +13,7 @@
 
 namespace texbake {
 
-/// Colours of a rectangle of cells on the torus, row by row.
+/// Colors of a rectangle of cells on the torus, row by row.
 struct FarField {
   V2i first{0, 0};  ///< cell, 0 … cells−1
   V2i extent{0, 0};
@@ -38,7 +38,7 @@ class FarView {
   /// `base_luv` is the base in CIELUV; `patches` is borrowed.
   FarView(ImageView<const V3f> base_luv, const Partition& patches);
 
-  /// What `patch` shows with `content`, less the tile's mean colour: for each cell near the patch the sum over what the
+  /// What `patch` shows with `content`, less the tile's mean color: for each cell near the patch the sum over what the
   /// patch covers of it, divided by the cell's area.
   FarField shown(uint32_t patch, const Content& content) const;
   /// Of the area of the tile.
@@ -60,7 +60,7 @@ class FarView {
     float weight;  // of the cell's area
   };
   struct PatchCells {
-    FarField rectangle;  // colours 0
+    FarField rectangle;  // colors 0
     std::vector<Piece> pieces;
     double share = 0;
   };

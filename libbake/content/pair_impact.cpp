@@ -15,7 +15,7 @@ namespace {
 struct PairBorder {
   uint32_t a = 0;
   uint32_t b = 0;
-  std::vector<V2i> seeds;  // texels with a 4-neighbour in the other patch
+  std::vector<V2i> seeds;  // texels with a 4-neighbor in the other patch
   std::vector<V2i> band;   // texels of a and b within the dilation of these
 };
 
@@ -25,7 +25,7 @@ std::vector<PairBorder> find_borders(ImageView<const uint32_t> idx) {
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x)
       for (int i = 0; i < 4; ++i) {
-        const V2i q = wrap(V2i(x + kNeighbourX[i], y + kNeighbourY[i]), size);
+        const V2i q = wrap(V2i(x + kNeighborX[i], y + kNeighborY[i]), size);
         const uint32_t a = idx(x, y);
         const uint32_t b = idx(q.x, q.y);
         if (a != b) seeds[std::minmax(a, b)].emplace_back(x, y);

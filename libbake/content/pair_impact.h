@@ -1,5 +1,5 @@
 // The impact across a border when the patches on both its sides have exchanged their contents, as at run time.
-// Based on: Vanhoey et al. 2013, eq. 2-3, which see only the original neighbour.
+// Based on: Vanhoey et al. 2013, eq. 2-3, which see only the original neighbor.
 #pragma once
 
 #include "libbake/content/class_distances.h"

@@ -9,7 +9,7 @@ namespace {
 bool is_border(ImageView<const uint32_t> patch_idx, V2i p) {
   const V2i size(patch_idx.width(), patch_idx.height());
   for (int n = 0; n < 4; ++n) {
-    const V2i q = wrap(p + V2i(kNeighbourX[n], kNeighbourY[n]), size);
+    const V2i q = wrap(p + V2i(kNeighborX[n], kNeighborY[n]), size);
     if (patch_idx(q.x, q.y) != patch_idx(p.x, p.y)) return true;
   }
   return false;

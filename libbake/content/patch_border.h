@@ -20,7 +20,7 @@ struct PatchBorders {
   std::vector<size_t> texel_counts;         ///< |dil(∂P)| of each patch
 };
 
-/// ∂P holds the texels of P with a 4-neighbour outside P; it is dilated on both sides, on the torus. `patch_idx` holds
+/// ∂P holds the texels of P with a 4-neighbor outside P; it is dilated on both sides, on the torus. `patch_idx` holds
 /// 0 … patch_count−1.
 PatchBorders patch_borders(ImageView<const uint32_t> patch_idx, int patch_count);
 

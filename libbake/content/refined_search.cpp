@@ -31,7 +31,7 @@ Image<T> reduce(ImageView<const T> image, int factor) {
 // The best of the candidates found at reduced size, and those that full-size candidates as far apart as asked for may
 // grow from: the best alone leave too few of these.
 Candidates promising(const Candidates& reduced, int factor, V2i reduced_size, const SearchRequest& request) {
-  const auto count = std::min<size_t>(reduced.size(), kRefinedNeighbourhoods);
+  const auto count = std::min<size_t>(reduced.size(), kRefinedNeighborhoods);
   Candidates chosen(reduced.begin(), reduced.begin() + static_cast<ptrdiff_t>(count));
   const Candidates apart =
       take_separated(reduced, reduced_size, {request.count, (request.separation_px + factor - 1) / factor, {}});
@@ -46,8 +46,8 @@ int reachable_count(Candidates reduced, int factor, V2i size, const SearchReques
   return static_cast<int>(take_separated(reduced, size, request).size());
 }
 
-// The groups of full-size translations that cover the neighbourhoods of reduced ones, and the patches that want them.
-std::vector<GroupTask> neighbourhoods(const std::vector<Candidates>& reduced, int factor, V2i size) {
+// The groups of full-size translations that cover the neighborhoods of reduced ones, and the patches that want them.
+std::vector<GroupTask> neighborhoods(const std::vector<Candidates>& reduced, int factor, V2i size) {
   std::map<std::pair<int, int>, std::vector<uint8_t>> wanted;
   for (size_t patch = 0; patch < reduced.size(); ++patch)
     for (const Candidate& candidate : reduced[patch])
@@ -93,7 +93,7 @@ SearchResult search_contents_refined(ImageView<const uint8_t> classes, const Cla
   for (const Candidates& candidates : small.candidates)
     reachable.count = std::min(reachable.count, reachable_count(candidates, factor, size, request));
   SearchResult result = GroupSearch(classes, distances, borders)
-                            .run(neighbourhoods(small.candidates, factor, size), reachable,
+                            .run(neighborhoods(small.candidates, factor, size), reachable,
                                  [&](double done) { report_progress(progress, 0.5 + 0.5 * done); });
   result.error_count += small.error_count;
   result.all_error_count = 0;

@@ -1,4 +1,4 @@
-// How much each texel stands out by its variation coordinate, among the texels of its colour class.
+// How much each texel stands out by its variation coordinate, among the texels of its color class.
 // Based on: Perazzi et al. 2012, "Saliency filters", eq. 1-6; Vanhoey et al. 2013, §5.2.
 #pragma once
 

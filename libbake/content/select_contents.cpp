@@ -159,7 +159,7 @@ ContentSelection select_contents(const PrincipalVariation& colors, ImageView<con
   const int wanted = options.count - 1;
   const Partition& partition = patches.partition;
 
-  // Compare contents by classes of dominant colour and saliency.
+  // Compare contents by classes of dominant color and saliency.
   const ContentClasses classes = content_classes(colors, base);
   const ClassDistances distances = class_distances(classes.mean_luv);
   result.figures.content_classes = classes.count();

@@ -115,7 +115,7 @@ struct SelectContentsOptions {
 
 /// What was found, for provenance.
 struct SelectContentsFigures {
-  int content_classes = 0;        ///< N_C: dominant colour × saliency
+  int content_classes = 0;        ///< N_C: dominant color × saliency
   double saliency_threshold = 0;  ///< texels above it are salient
   double salient_share = 0;       ///< of the texels
   double best_impact = 0;         ///< of the chosen contents, the identity apart, in ΔE⁴

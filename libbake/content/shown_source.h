@@ -7,7 +7,7 @@
 namespace texbake {
 
 /// The texel of the tile that shows at texel `p` of patch `patch`, or near its border, with `content`. A patch is under
-/// half a tile wide, so the shortest offset from its centre on the torus is the one in the plane.
+/// half a tile wide, so the shortest offset from its center on the torus is the one in the plane.
 inline V2i shown_source(const Partition& patches, uint32_t patch, V2i p, const Content& content) {
   const V2i center = patches.centers[patch];
   return wrap(center + source_offset(content, shortest(p - center, patches.size())), patches.size());

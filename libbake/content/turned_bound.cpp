@@ -40,7 +40,7 @@ TurnedBound::TurnedBound(ImageView<const uint8_t> classes, const ClassDistances&
   });
 }
 
-// What a texel of the class costs at each offset from the centre, by the border texels that are turned there.
+// What a texel of the class costs at each offset from the center, by the border texels that are turned there.
 Image<float> TurnedBound::weights(std::span<const BorderTexel> border, const Content& turn, int class_idx) const {
   Image<float> weights(grid_.cells.x, grid_.cells.y);
   const auto nearest_cell = [](int px, int cells, int size) {

@@ -15,7 +15,7 @@ namespace texbake {
 
 /// A texel of the dilated border of a patch.
 struct BorderTexel {
-  V2i offset{0, 0};  ///< from the centre of the patch
+  V2i offset{0, 0};  ///< from the center of the patch
   int class_idx = 0;
 };
 
@@ -27,7 +27,7 @@ class TurnedBound {
   const CellGrid& grid() const { return grid_; }
 
   /// Σ δ² over `border`, a lower bound of Σ E (δ of a texel itself is one of the 49 terms), for contents that bring
-  /// each cell to the centre of the patch: turned as `turn`, and by another half of a turn. As exact as the cells are
+  /// each cell to the center of the patch: turned as `turn`, and by another half of a turn. As exact as the cells are
   /// fine; where a cell is a texel, up to the rounding of float and of turned offsets.
   std::array<Image<float>, 2> bounds(std::span<const BorderTexel> border, const Content& turn) const;
 

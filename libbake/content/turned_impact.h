@@ -14,7 +14,7 @@ namespace texbake {
 /// Sums eq. 3 for one patch. Keeps buffers: one for each thread.
 class TurnedImpact {
  public:
-  /// `border` holds the offsets of dil(∂P) from `center`, the centre of the patch. `classes` is borrowed.
+  /// `border` holds the offsets of dil(∂P) from `center`, the center of the patch. `classes` is borrowed.
   TurnedImpact(ImageView<const uint8_t> classes, const ClassDistances& distances, std::span<const V2i> border,
                V2i center);
 
@@ -33,12 +33,12 @@ class TurnedImpact {
   ImageView<const uint8_t> classes_;
   const ClassDistances& distances_;
   V2i center_;
-  V2i origin_;                // of the frame, from the centre: everything within the mask of the border lies in it
+  V2i origin_;                // of the frame, from the center: everything within the mask of the border lies in it
   std::vector<Run> runs_;     // of the border, row by row, in the frame
   std::vector<V2i> seen_;     // texels within the mask of the border, in the frame
   std::vector<uint8_t> own_;  // their classes
   Content turned_;            // what `sources_` stands for
-  std::vector<V2i> sources_;  // where they are turned to, from the centre, before the translation
+  std::vector<V2i> sources_;  // where they are turned to, from the center, before the translation
   Image<uint8_t> delta_;      // of the frame; 0 where not seen
   std::vector<uint16_t> columns_;
 };

@@ -17,7 +17,7 @@ constexpr size_t kBestBounds = 1500;  // of each patch, whose impact is computed
 constexpr int kTasks = 32;            // in which impacts are computed
 
 struct PatchTexels {
-  std::vector<V2i> offsets;  // of dil(∂P) from the centre
+  std::vector<V2i> offsets;  // of dil(∂P) from the center
   std::vector<BorderTexel> border;
 };
 
@@ -58,7 +58,7 @@ class PatchSearch {
     wider.count += request_.count / 4;
     Candidates best = take_separated(found, size_, wider);
     for (int step = std::max(cell_px() / 2, 1); step >= 1; step /= 2) {
-      Candidates around = neighbours(best, step);
+      Candidates around = neighbors(best, step);
       measure(around);
       for (size_t i = 0; i < best.size(); ++i)
         for (size_t n = 8 * i; n < 8 * (i + 1); ++n)
@@ -75,7 +75,7 @@ class PatchSearch {
     return (std::max(size_.x, size_.y) - 1) / std::max(bound_.grid().cells.x, bound_.grid().cells.y) + 1;
   }
 
-  // For each turn, of the contents that bring a cell to the centre.
+  // For each turn, of the contents that bring a cell to the center.
   std::vector<Image<float>> all_bounds() const {
     std::vector<Image<float>> bounds(turns_.size());
     std::vector<int> first_halves;
@@ -139,7 +139,7 @@ class PatchSearch {
     return true;
   }
 
-  Candidates neighbours(const Candidates& candidates, int step) const {
+  Candidates neighbors(const Candidates& candidates, int step) const {
     Candidates around;
     for (const Candidate& candidate : candidates)
       for (int dy = -step; dy <= step; dy += step)

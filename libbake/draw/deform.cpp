@@ -57,7 +57,7 @@ DeformationAnchor anchor_of(const Deformation& deformation, V2i tile_size, const
   DeformationAnchor anchor;
   for (int axis = 0; axis < 2; ++axis) {
     const int64_t to_x = deformation.matrix[2 * axis], to_y = deformation.matrix[2 * axis + 1];
-    // The centre is half a texel further: half the matrix, rounded down. |sum| < 2^63 for tiles up to 2^14 texels.
+    // The center is half a texel further: half the matrix, rounded down. |sum| < 2^63 for tiles up to 2^14 texels.
     const int64_t place_65536 = to_x * at[0] + to_y * at[1] + ((to_x + to_y) >> 1);
     const int64_t whole = place_65536 >> 16;
     const int64_t repetition = floor_div(whole, tile_size[axis]);

@@ -31,7 +31,7 @@ struct DeformationRequest {
 /// Throws Error(usage) for values out of range.
 Deformation deformation_of(const DeformationRequest& request);
 
-/// Where the deformation takes the centre of texel (`texel`) of repetition (`tile`) from, exactly: tiles count as
+/// Where the deformation takes the center of texel (`texel`) of repetition (`tile`) from, exactly: tiles count as
 /// signed, so that a deformed picture is of one piece up to 2^31 repetitions from the origin.
 struct DeformationAnchor {
   uint32_t tile[2] = {0, 0};

@@ -6,7 +6,7 @@
 
 namespace texbake {
 
-/// What was decided for the texel in which a pixel's centre lies.
+/// What was decided for the texel in which a pixel's center lies.
 struct PixelDecision {
   uint32_t patch_idx = 0;
   uint32_t content = 0;

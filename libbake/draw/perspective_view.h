@@ -13,7 +13,7 @@ struct Perspective {
   TileOffset origin_x;  ///< the point under the camera
   TileOffset origin_y;
   double height_texels = 1024;  ///< of the camera above the plane, > 0
-  double pitch_deg = 20;        ///< of the view's centre below the horizon, −90 … 90
+  double pitch_deg = 20;        ///< of the view's center below the horizon, −90 … 90
   double yaw_deg = 0;           ///< 0 looks up in the texture, 90 to its right
   double fov_deg = 50;          ///< from the picture's top to its bottom, above 0, below 180
   int width = 0;                ///< pixels

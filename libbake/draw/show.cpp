@@ -17,10 +17,10 @@ using glsl::Program;
 using glsl::Texel;
 
 constexpr float kBorder = 0.02f;        ///< dark beside every hue of hue_color
-constexpr float kMiddleGrey = 0.2159f;  ///< half of the codes of sRGB
-constexpr float kVariationSpan = 60;    ///< ΔE from middle grey to black or white: a wide class reaches ±50
+constexpr float kMiddleGray = 0.2159f;  ///< half of the codes of sRGB
+constexpr float kVariationSpan = 60;    ///< ΔE from middle gray to black or white: a wide class reaches ±50
 
-/// A saturated colour for a label: hues by the golden ratio, so that neighbours in number are far apart in hue.
+/// A saturated color for a label: hues by the golden ratio, so that neighbors in number are far apart in hue.
 V3f hue_color(uint32_t label) {
   const uint32_t turn = label * 2654435769u;  // 2^32 / golden ratio: the top bits step around the circle
   const float hue = static_cast<float>(turn >> 8) * 0x1p-24f * 6.0f;
@@ -59,14 +59,14 @@ V3f shown_layer(Program& program, Show show, const Texel& texel, const glsl::Sou
   const V3f structure = color_of(program.source_value(program.base, source));
   if (show == Show::structure) return structure;
   if (show == Show::noise)
-    return V3f(kMiddleGrey) + color_of(program.layered_value(program.base, texel, source)) - structure;
+    return V3f(kMiddleGray) + color_of(program.layered_value(program.base, texel, source)) - structure;
   const glsl::uvec4 weights = program.source_weights(source);
   return (hue_color(1) * static_cast<float>(weights.x) + hue_color(2) * static_cast<float>(weights.y) +
           hue_color(3) * static_cast<float>(weights.z) + hue_color(4) * static_cast<float>(weights.w)) /
          2048.0f;
 }
 
-/// The colour of one texel of the view.
+/// The color of one texel of the view.
 V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Shown& at) {
   const Decision decision = program.decide(at.texel);
   const glsl::Source from = program.source_of(at.texel, decision);

@@ -10,11 +10,11 @@ enum class Show {
   color,      ///< what the texture is
   patches,    ///< one hue for each patch of the tile, borders dark
   fragments,  ///< one hue for each fragment, where its content comes from
-  contents,   ///< one colour for each content, grey for the identity; patch borders dark
-  index,      ///< the dominant colour of each texel's class
-  variation,  ///< v as grey, middle grey where it is 0
+  contents,   ///< one color for each content, gray for the identity; patch borders dark
+  index,      ///< the dominant color of each texel's class
+  variation,  ///< v as gray, middle gray where it is 0
   structure,  ///< the texture without its noise
-  noise,      ///< the noise alone, about middle grey
+  noise,      ///< the noise alone, about middle gray
   masks,      ///< where each noise lives: a blend of one hue for each
 };
 template <>

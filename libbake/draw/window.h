@@ -8,8 +8,8 @@
 namespace texbake {
 
 enum class Filter {
-  nearest,      ///< the texel in which a pixel's centre lies
-  bilinear,     ///< between the four texels whose centres surround it
+  nearest,      ///< the texel in which a pixel's center lies
+  bilinear,     ///< between the four texels whose centers surround it
   trilinear,    ///< bilinear between blocks of texels about as large as a pixel: nothing is skipped, far away
   anisotropic,  ///< the same along a pixel's footprint where that is longer than wide; in a window as trilinear
 };
@@ -31,7 +31,7 @@ struct Window {
   int height = 0;
   uint32_t seed = 0;  ///< another seed draws other contents, of the same patches
   Filter filter = Filter::bilinear;
-  Deformation deformation = {};  ///< of the colour; maps have none
+  Deformation deformation = {};  ///< of the color; maps have none
 };
 
 /// Throws Error(usage) when the window is empty, its origin is outside its tile, or side · step reaches 2^32.

@@ -31,7 +31,7 @@ struct Column {
   float weight = 0;
 };
 
-/// The texel columns that a window sees, each once; their rows are not used. Neighbouring pixels share columns.
+/// The texel columns that a window sees, each once; their rows are not used. Neighboring pixels share columns.
 struct Columns {
   std::vector<Texel> texels;
   std::vector<Column> pixels;

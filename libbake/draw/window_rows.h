@@ -7,12 +7,12 @@
 
 namespace texbake {
 
-/// Rows row_begin ≤ j < row_end of the window: colours of the base, linear Rec.709. The result does not depend on how
+/// Rows row_begin ≤ j < row_end of the window: colors of the base, linear Rec.709. The result does not depend on how
 /// a window is cut into rows, nor on threads.
 Image<V3f> render_rows(const EvaluatorPlanes& planes, const Window& window, int row_begin, int row_end);
 
 /// The same of a map, without deformation, its channels in x, y, z; those that it lacks are 0. Normals turn with their
-/// content, are not normalised, and keep their convention; heights shrink with their content.
+/// content, are not normalized, and keep their convention; heights shrink with their content.
 Image<V3f> render_map_rows(const EvaluatorPlanes& planes, const Plane& map, const Window& window, int row_begin,
                            int row_end);
 

@@ -49,7 +49,7 @@ float appearance_distance(const float* a, const float* b) {
 }
 
 AppearancePyramid::AppearancePyramid(ImageView<const V3f> luv) {
-  // Colours less their mean, so that the difference of squares loses few digits.
+  // Colors less their mean, so that the difference of squares loses few digits.
   const V3f middle = mean_color(luv);
   Image<V3f> colors(luv.width(), luv.height());
   Image<V3f> squares(luv.width(), luv.height());

@@ -1,5 +1,5 @@
 // How the surroundings of a texel look, at five widths: what tells similar places apart better than gradients alone.
-// Measured against photographs with known heights: their heights follow smoothed colour and its local deviation.
+// Measured against photographs with known heights: their heights follow smoothed color and its local deviation.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace texbake {
 
 inline constexpr std::array<int, 5> kAppearanceSigmas_px = {1, 2, 4, 8, 16};
 
-/// For each σ twelve numbers in ΔE: the Gaussian mean of the colour, its deviation (channel by channel), and σ times
+/// For each σ twelve numbers in ΔE: the Gaussian mean of the color, its deviation (channel by channel), and σ times
 /// the mean's gradient along x and along y.
 using Appearance = std::array<float, 12 * kAppearanceSigmas_px.size()>;
 

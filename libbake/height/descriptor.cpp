@@ -34,7 +34,7 @@ Image<V2f> central_differences(const Image<float>& image) {
 }  // namespace
 
 float descriptor_distance(const float* a, const float* b) {
-  // Eight independent sums, so that the loop vectorises without changing the order of additions.
+  // Eight independent sums, so that the loop vectorizes without changing the order of additions.
   float sums[8] = {};
   int i = 0;
   for (; i + 8 <= kDescriptorGradients; i += 8)

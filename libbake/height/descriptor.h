@@ -12,13 +12,13 @@ namespace texbake {
 inline constexpr int kDescriptorScales = 6;  ///< N_σ: σ = 1 … 6 px
 inline constexpr int kDescriptorGradients = 9 * kDescriptorScales;
 
-/// Gradients (x, y) of v_σ at the texel and its 8 neighbours, scale by scale, rows of the 3 × 3 from the top.
+/// Gradients (x, y) of v_σ at the texel and its 8 neighbors, scale by scale, rows of the 3 × 3 from the top.
 using Descriptor = std::array<float, 2 * kDescriptorGradients>;
 
 /// Σ over all 54 gradients of the length of their difference: eq. 7.
 float descriptor_distance(const float* a, const float* b);
 
-/// Gradients of v smoothed inside one colour class (normalised convolution: texels of other classes weigh nothing).
+/// Gradients of v smoothed inside one color class (normalized convolution: texels of other classes weigh nothing).
 class ClassGradients {
  public:
   ClassGradients(const PrincipalVariation& colors, uint8_t class_idx);

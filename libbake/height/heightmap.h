@@ -18,8 +18,8 @@ struct HeightClick {
 
 /// What tells whether two texels look alike.
 enum class HeightDescriptor {
-  appearance,  ///< smoothed colour, its deviation and gradient, compared over the whole tile
-  gradients,   ///< the paper's: eq. 6 and 7 inside each colour class
+  appearance,  ///< smoothed color, its deviation and gradient, compared over the whole tile
+  gradients,   ///< the paper's: eq. 6 and 7 inside each color class
 };
 template <>
 struct EnumNames<HeightDescriptor> {
@@ -76,7 +76,7 @@ struct Heightmap {
 /// Each texel's height is the mean of its nearest clicks (all of them, where there are fewer), weighted by the inverse
 /// of a power of their distance. `base` is what is drawn, in linear light.
 /// - appearance: distances of appearance.h between all texels and all clicks.
-/// - gradients: eq. 7 between descriptors of eq. 6, among the clicks of the texel's colour class: gradients of the
+/// - gradients: eq. 7 between descriptors of eq. 6, among the clicks of the texel's color class: gradients of the
 ///   variation, smoothed inside its class by σ = 1 … 6 px, at 3 × 3 texels; the least over turns of the click by −π/8,
 ///   0 and π/8. A class without a click goes by appearance.
 /// A texel at distance 0 from a click takes its height. At last heights are smoothed (refine.h), and then a click's

@@ -83,7 +83,7 @@ class Smoothness {
   }
 
  private:
-  HeightField right_;  // weight between a texel and its neighbour to the right
+  HeightField right_;  // weight between a texel and its neighbor to the right
   HeightField below_;
 };
 

@@ -15,7 +15,7 @@ inline constexpr float kCos16[16] = {
 inline constexpr float cos16(int i) { return kCos16[i & 15]; }
 inline constexpr float sin16(int i) { return kCos16[(i + 12) & 15]; }
 
-/// In place: re + i·im becomes Σ_n (re + i·im)[n] · exp(−2πi n f / N). N is 2, 4, 8 or 16; not normalised.
+/// In place: re + i·im becomes Σ_n (re + i·im)[n] · exp(−2πi n f / N). N is 2, 4, 8 or 16; not normalized.
 template <int N>
 inline void batch_fft(std::array<Lanes, N>& re, std::array<Lanes, N>& im) {
   static_assert(N == 2 || N == 4 || N == 8 || N == 16);

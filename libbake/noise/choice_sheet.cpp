@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kColumns = 4;
 constexpr int kFrame_px = 8;
-constexpr float kMiddleGrey = 0.2159f;  // half of the codes of sRGB
+constexpr float kMiddleGray = 0.2159f;  // half of the codes of sRGB
 const V3f kDark(0.02f);
 const V3f kLight(0.9f);
 
@@ -31,7 +31,7 @@ Image<V3f> choice_sheet(ImageView<const V3f> exemplar, std::span<const LocalSize
     const auto place = [&](int column) { return V2i(column * pitch.x, top) + V2i(kFrame_px); };
     paste(exemplar, size, place(0), 0.0f, sheet);
     paste(candidate.structure, size, place(1), 0.0f, sheet);
-    paste(noise_layer(exemplar, candidate.structure, candidate.space), size, place(2), kMiddleGrey, sheet);
+    paste(noise_layer(exemplar, candidate.structure, candidate.space), size, place(2), kMiddleGray, sheet);
     paste(candidate.synthesis, size, place(3), 0.0f, sheet);
   }
   return sheet;

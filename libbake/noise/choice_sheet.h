@@ -8,7 +8,7 @@
 
 namespace texbake {
 
-/// One row for each candidate, from the top: exemplar, structure, noise about middle grey, synthesis; a dark frame
+/// One row for each candidate, from the top: exemplar, structure, noise about middle gray, synthesis; a dark frame
 /// between, a light one around the row of `chosen` (its T_loc). Tiles wider or higher than `side` texels are cut to
 /// their upper left corner. Linear Rec.709.
 Image<V3f> choice_sheet(ImageView<const V3f> exemplar, std::span<const LocalSizeCandidate> candidates, int chosen,

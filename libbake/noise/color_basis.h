@@ -1,4 +1,4 @@
-// The colour space of one noise: the principal axes of its colours, in which its channels are as independent as they
+// The color space of one noise: the principal axes of its colors, in which its channels are as independent as they
 // can be. Based on: Guingo et al. 2017, §6.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace texbake {
 
-/// Orthonormal axes in linear Rec.709: colour = mean + Σ channel_c · axis[c].
+/// Orthonormal axes in linear Rec.709: color = mean + Σ channel_c · axis[c].
 struct ColorBasis {
   V3f mean{0};
   std::array<V3f, 3> axis = {V3f(1, 0, 0), V3f(0, 1, 0), V3f(0, 0, 1)};
@@ -24,8 +24,8 @@ struct ColorBasis {
   }
 };
 
-/// Principal axes of the colours where `mask` is not 0, by falling variance; the component of largest magnitude of each
-/// axis is positive. Without any colour variation the axes are R, G, B.
+/// Principal axes of the colors where `mask` is not 0, by falling variance; the component of largest magnitude of each
+/// axis is positive. Without any color variation the axes are R, G, B.
 ColorBasis principal_basis(ImageView<const V3f> colors, ImageView<const uint8_t> mask);
 
 /// The axes of `basis` reordered and turned so that axis c is the one nearest to `reference.axis[c]`: greatest sum of

@@ -14,7 +14,7 @@
 namespace texbake {
 namespace {
 
-constexpr double kWeakNoise = 1e-4;  // share of the variance below which there is nothing to synthesise
+constexpr double kWeakNoise = 1e-4;  // share of the variance below which there is nothing to synthesize
 constexpr float kSigma = 0.01f;      // the paper's
 constexpr double kLostDirection = 0.02;
 

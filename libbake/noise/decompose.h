@@ -1,5 +1,5 @@
 // Splits an exemplar into structure and noise, and finds where each of a few noises lives.
-// Based on: Guingo et al. 2017, eq. 6, §3.3 (masks), §5 (structure), §6 (colour, sharp borders), §7 (second pass).
+// Based on: Guingo et al. 2017, eq. 6, §3.3 (masks), §5 (structure), §6 (color, sharp borders), §7 (second pass).
 #pragma once
 
 #include <optional>

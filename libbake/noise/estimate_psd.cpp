@@ -100,7 +100,7 @@ void estimate_channel(ImageView<const V3f> layer, const Work& work, const Estima
   NoiseChannel& channel = noise.channels[c];
   if (!work.estimator) {
     channel.spectrum = Image<float>(options.spectrum_size, options.spectrum_size);
-    channel.equalisation.values.assign(Equalisation::kEntries, 0.0f);
+    channel.equalization.values.assign(Equalization::kEntries, 0.0f);
     return;
   }
   const Image<float> plane = channel_of(layer, noise.basis, c);
@@ -109,23 +109,23 @@ void estimate_channel(ImageView<const V3f> layer, const Work& work, const Estima
   noise.figures.variance[c] = measured.variance;
   noise.figures.excess_kurtosis[c] = measured.excess_kurtosis;
   channel.spectrum = work.estimator->estimate(plane);
-  channel.equalisation = match_histogram(plane, work.texels, mean);
+  channel.equalization = match_histogram(plane, work.texels, mean);
   if (options.lobes == 0) return;
   channel.lobes = fit_lobes(channel.spectrum, options.lobes);
   if (channel.lobes.error > static_cast<double>(options.lobe_error)) channel.lobes.lobes.clear();
 }
 
-/// One channel of all values, equalised where the options say so.
+/// One channel of all values, equalized where the options say so.
 Image<float> realise_channel(const NoiseChannel& channel, const NoiseLattice& lattice,
                              ImageView<const std::complex<float>> phases, NoiseHistogram histogram) {
   Image<float> plane = realise_noise(lattice_spectrum(channel.spectrum, lattice), phases);
   const double deviation = std::sqrt(spectrum_power(channel.spectrum));
   if (histogram == NoiseHistogram::gaussian || !(deviation > 0.0)) return plane;
-  for (float& value : plane) value = channel.equalisation(static_cast<double>(value) / deviation);
+  for (float& value : plane) value = channel.equalization(static_cast<double>(value) / deviation);
   return plane;
 }
 
-/// How far equalisation has moved the first channel from its model.
+/// How far equalization has moved the first channel from its model.
 void measure_tile(ImageView<const float> channel, const NoiseLattice& lattice, Noise& noise) {
   const Image<float>& model = noise.channels[0].spectrum;
   if (!(spectrum_power(model) > 0.0)) return;
@@ -193,7 +193,7 @@ NoiseModel estimate_psd(ImageView<const V3f> exemplar, ImageView<const V3f> stru
   std::vector<Image<uint8_t>> cores = measured_texels(exemplar, model.space, masks, options);
   report_progress(progress, 0.2);
 
-  // Colour spaces, the later ones matched to the first.
+  // Color spaces, the later ones matched to the first.
   model.noises.resize(masks.size());
   std::vector<Work> work(masks.size());
   parallel_for(0, static_cast<int>(masks.size()), [&](int i) {

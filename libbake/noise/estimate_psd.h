@@ -1,4 +1,4 @@
-// The noises of a decomposed exemplar: a spectrum, a colour space, a histogram and a realisation for each mask.
+// The noises of a decomposed exemplar: a spectrum, a color space, a histogram and a realization for each mask.
 // Based on: Guingo et al. 2017, §3.3 and §6.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include "libbake/base/torus.h"
 #include "libbake/color/noise_space.h"
 #include "libbake/noise/color_basis.h"
-#include "libbake/noise/equalisation.h"
+#include "libbake/noise/equalization.h"
 #include "libbake/noise/lobes.h"
 #include "libbake/noise/spectrum.h"
 
@@ -89,11 +89,11 @@ struct EstimatePsdOptions {
   }
 };
 
-/// One colour channel of a noise, along one axis of its colour space.
+/// One color channel of a noise, along one axis of its color space.
 struct NoiseChannel {
   Image<float> spectrum;      ///< T×T magnitudes, in the noise's space: Σ S² is the variance
   LobeFit lobes;              ///< no lobes where the fit was worse than `lobe_error`; the error is kept
-  Equalisation equalisation;  ///< relative to the mean; used where options.histogram says so
+  Equalization equalization;  ///< relative to the mean; used where options.histogram says so
 };
 
 /// What was measured of one noise.
@@ -109,7 +109,7 @@ struct NoiseFigures {
 struct Noise {
   ColorBasis basis;  ///< its mean is the mean of the noise inside the mask
   std::array<NoiseChannel, 3> channels;
-  /// Its values, Rec.709 in the noise's space, half-exact, the mean included, equalised where options say so. They
+  /// Its values, Rec.709 in the noise's space, half-exact, the mean included, equalized where options say so. They
   /// follow one another in reading order: the tile is how they are stored, not a picture of the noise; the lattice says
   /// where they show.
   Image<V3f> tile;

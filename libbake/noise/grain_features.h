@@ -1,4 +1,4 @@
-// What tells one noise from another at a texel: the logarithms of its local spectrum, and the colour around it.
+// What tells one noise from another at a texel: the logarithms of its local spectrum, and the color around it.
 // Based on: Guingo et al. 2017, §3.3; logarithms because amplitudes would sort texels by brightness.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace texbake {
 
 /// Computes feature vectors by rows. Dimension b < bins is sqrt(weight_b) · log(S_b + 0.1 · std / T), S and std of the
-/// luminance; the last three are the colour, smoothed over 3 px and scaled so that its total variance is `color_weight`
+/// luminance; the last three are the color, smoothed over 3 px and scaled so that its total variance is `color_weight`
 /// times that of the others.
 class GrainFeatures {
  public:
@@ -22,14 +22,14 @@ class GrainFeatures {
   int dimensions() const { return static_cast<int>(spectra_.bins().size()) + 3; }
   /// Rows y_begin … y_end − 1 inside the image; row(y, d)[x] is dimension d. Margins hold nothing.
   SpectraRows rows(int y_begin, int y_end) const;
-  /// The vectors of the texels of a regular lattice that starts at texel (0, 0), by rows: neighbouring spectra are
+  /// The vectors of the texels of a regular lattice that starts at texel (0, 0), by rows: neighboring spectra are
   /// nearly equal, a few thousand of them stand for all.
   const Vectors& samples() const { return samples_; }
   /// The texel of sample i.
   V2i sample_place(int i) const { return {i % columns_ * step_, i / columns_ * step_}; }
   /// Dimension d of a texel around which two noises of features a and b have half of the power each.
   double mixture(int d, float a, float b) const;
-  /// The luminance of a feature vector's colour, up to a common factor.
+  /// The luminance of a feature vector's color, up to a common factor.
   double luminance_of(const float* features) const;
 
  private:

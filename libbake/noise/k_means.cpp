@@ -19,10 +19,10 @@ struct Nearest {
   float squared = std::numeric_limits<float>::max();
 };
 
-Nearest nearest_centre(const float* vector, const Vectors& centres, int count) {
+Nearest nearest_center(const float* vector, const Vectors& centers, int count) {
   Nearest nearest;
   for (int k = 0; k < count; ++k) {
-    const float squared = squared_distance(vector, centres.row(k), centres.stride());
+    const float squared = squared_distance(vector, centers.row(k), centers.stride());
     if (squared < nearest.squared) nearest = {k, squared};
   }
   return nearest;
@@ -30,16 +30,16 @@ Nearest nearest_centre(const float* vector, const Vectors& centres, int count) {
 
 void copy_row(const Vectors& from, int i, Vectors& to, int k) { std::copy_n(from.row(i), from.stride(), to.row(k)); }
 
-/// k-means++: each further centre is a vector drawn with probability ∝ its squared distance to those there are.
-Vectors first_centres(const Vectors& vectors, int clusters, Random& random) {
-  Vectors centres(clusters, vectors.dimensions());
-  copy_row(vectors, static_cast<int>(random.below(static_cast<uint32_t>(vectors.count()))), centres, 0);
+/// k-means++: each further center is a vector drawn with probability ∝ its squared distance to those there are.
+Vectors first_centers(const Vectors& vectors, int clusters, Random& random) {
+  Vectors centers(clusters, vectors.dimensions());
+  copy_row(vectors, static_cast<int>(random.below(static_cast<uint32_t>(vectors.count()))), centers, 0);
   std::vector<float> squared(static_cast<size_t>(vectors.count()), std::numeric_limits<float>::max());
   for (int k = 1; k < clusters; ++k) {
     double total = 0.0;
     for (int i = 0; i < vectors.count(); ++i) {
       float& d = squared[static_cast<size_t>(i)];
-      d = std::min(d, squared_distance(vectors.row(i), centres.row(k - 1), vectors.stride()));
+      d = std::min(d, squared_distance(vectors.row(i), centers.row(k - 1), vectors.stride()));
       total += d;
     }
     if (!(total > 0.0))
@@ -54,12 +54,12 @@ Vectors first_centres(const Vectors& vectors, int clusters, Random& random) {
       if (d > 0.0) chosen = i;
       left -= d;
     }
-    copy_row(vectors, chosen, centres, k);
+    copy_row(vectors, chosen, centers, k);
   }
-  return centres;
+  return centers;
 }
 
-/// Each empty cluster takes the vector that lies farthest from its centre.
+/// Each empty cluster takes the vector that lies farthest from its center.
 void fill_empty_clusters(const Vectors& vectors, std::vector<int>& label, std::vector<float>& squared, int clusters) {
   std::vector<int> count(static_cast<size_t>(clusters));
   for (const int k : label) ++count[static_cast<size_t>(k)];
@@ -77,10 +77,10 @@ void fill_empty_clusters(const Vectors& vectors, std::vector<int>& label, std::v
   }
 }
 
-void move_to_means(const Vectors& vectors, const std::vector<int>& label, Vectors& centres) {
+void move_to_means(const Vectors& vectors, const std::vector<int>& label, Vectors& centers) {
   const auto stride = static_cast<size_t>(vectors.stride());
-  std::vector<double> sum(static_cast<size_t>(centres.count()) * stride);
-  std::vector<int> count(static_cast<size_t>(centres.count()));
+  std::vector<double> sum(static_cast<size_t>(centers.count()) * stride);
+  std::vector<int> count(static_cast<size_t>(centers.count()));
   for (int i = 0; i < vectors.count(); ++i) {
     const auto k = static_cast<size_t>(label[static_cast<size_t>(i)]);
     ++count[k];
@@ -88,21 +88,21 @@ void move_to_means(const Vectors& vectors, const std::vector<int>& label, Vector
     double* to = sum.data() + k * stride;
     for (size_t d = 0; d < stride; ++d) to[d] += static_cast<double>(vector[d]);
   }
-  for (int k = 0; k < centres.count(); ++k)
+  for (int k = 0; k < centers.count(); ++k)
     for (size_t d = 0; d < stride; ++d)
-      centres.row(k)[d] = static_cast<float>(sum[static_cast<size_t>(k) * stride + d] / count[static_cast<size_t>(k)]);
+      centers.row(k)[d] = static_cast<float>(sum[static_cast<size_t>(k) * stride + d] / count[static_cast<size_t>(k)]);
 }
 
 Clustering lloyd(const Vectors& vectors, const KMeansOptions& options, int restart) {
   Random random(options.seed, static_cast<uint64_t>(restart));
-  Clustering result{first_centres(vectors, options.clusters, random),
+  Clustering result{first_centers(vectors, options.clusters, random),
                     std::vector<int>(static_cast<size_t>(vectors.count()), -1), 0.0};
   std::vector<float> squared(static_cast<size_t>(vectors.count()));
   for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
     bool changed = false;
     result.error = 0.0;
     for (int i = 0; i < vectors.count(); ++i) {
-      const Nearest nearest = nearest_centre(vectors.row(i), result.centres, options.clusters);
+      const Nearest nearest = nearest_center(vectors.row(i), result.centers, options.clusters);
       changed = changed || nearest.cluster != result.label[static_cast<size_t>(i)];
       result.label[static_cast<size_t>(i)] = nearest.cluster;
       squared[static_cast<size_t>(i)] = nearest.squared;
@@ -110,7 +110,7 @@ Clustering lloyd(const Vectors& vectors, const KMeansOptions& options, int resta
     }
     fill_empty_clusters(vectors, result.label, squared, options.clusters);
     if (!changed) break;
-    move_to_means(vectors, result.label, result.centres);
+    move_to_means(vectors, result.label, result.centers);
   }
   return result;
 }

@@ -41,9 +41,9 @@ struct KMeansOptions {
 };
 
 struct Clustering {
-  Vectors centres;         ///< one row for each cluster
+  Vectors centers;         ///< one row for each cluster
   std::vector<int> label;  ///< of each vector
-  double error = 0;        ///< Σ squared distances to the own centre
+  double error = 0;        ///< Σ squared distances to the own center
 };
 
 /// The clustering of least error; the first of equal ones. No cluster is empty. Throws Error(infeasible) when there are

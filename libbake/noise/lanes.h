@@ -1,4 +1,4 @@
-// Four neighbouring texels at a time: the same operations in the same order on every processor, so the same bits.
+// Four neighboring texels at a time: the same operations in the same order on every processor, so the same bits.
 #pragma once
 
 #include <cmath>

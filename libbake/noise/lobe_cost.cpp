@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kInverse2Pi = 0.15915494309189533577;
 
-/// density = scale · exp(−½(a² + b²)), a = l_xx dx + l_xy dy, b = l_yy dy. Adds its derivatives by (power, centre, L),
-/// the distance from the centre being d = f − sign · centre, to `gradient`, when there is one.
+/// density = scale · exp(−½(a² + b²)), a = l_xx dx + l_xy dy, b = l_yy dy. Adds its derivatives by (power, center, L),
+/// the distance from the center being d = f − sign · center, to `gradient`, when there is one.
 double half_lobe(const LobeSample& sample, const double* p, double sign, double* gradient) {
   const double dx = sample.fx_cpp - sign * p[1];
   const double dy = sample.fy_cpp - sign * p[2];

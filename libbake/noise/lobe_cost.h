@@ -5,7 +5,7 @@
 
 namespace texbake {
 
-inline constexpr int kLobeParameters = 6;  ///< power, centre x, centre y, l_xx, l_xy, l_yy
+inline constexpr int kLobeParameters = 6;  ///< power, center x, center y, l_xx, l_xy, l_yy
 
 /// One frequency of the table: what the magnitude sqrt(density) should be there.
 struct LobeSample {

@@ -161,8 +161,8 @@ double magnitude_error(ImageView<const float> a, ImageView<const float> b) {
 double Lobe::density(double fx_cpp, double fy_cpp) const {
   double sum = 0.0;
   for (const double sign : {1.0, -1.0}) {
-    const double dx = fx_cpp - sign * centre_x_cpp;
-    const double dy = fy_cpp - sign * centre_y_cpp;
+    const double dx = fx_cpp - sign * center_x_cpp;
+    const double dy = fy_cpp - sign * center_y_cpp;
     const double a = l_xx * dx + l_xy * dy;
     const double b = l_yy * dy;
     sum += portable_exp(-0.5 * (a * a + b * b));
@@ -216,8 +216,8 @@ double filtered_variance(std::span<const Lobe> lobes, double xx, double xy, doub
     const double sxy = pxy + factor * xy;
     const double syy = pyy + factor * yy;
     const double determinant = sxx * syy - sxy * sxy;
-    const double cx = lobe.centre_x_cpp;
-    const double cy = lobe.centre_y_cpp;
+    const double cx = lobe.center_x_cpp;
+    const double cy = lobe.center_y_cpp;
     const double qx = pxx * cx + pxy * cy;
     const double qy = pxy * cx + pyy * cy;
     const double inner = (qx * (syy * qx - sxy * qy) + qy * (sxx * qy - sxy * qx)) / determinant;

@@ -9,13 +9,13 @@
 
 namespace texbake {
 
-/// A pair of Gaussians in the plane of frequencies (cycles per texel), one at +centre and one at −centre, that together
-/// hold `power`: density(f) = power/2 · (g(f − centre) + g(f + centre)), g the normal density whose precision matrix is
+/// A pair of Gaussians in the plane of frequencies (cycles per texel), one at +center and one at −center, that together
+/// hold `power`: density(f) = power/2 · (g(f − center) + g(f + center)), g the normal density whose precision matrix is
 /// LᵀL, L = (l_xx l_xy; 0 l_yy), in texels.
 struct Lobe {
   double power = 0;
-  double centre_x_cpp = 0;  ///< 0 … ½
-  double centre_y_cpp = 0;  ///< −½ … ½
+  double center_x_cpp = 0;  ///< 0 … ½
+  double center_y_cpp = 0;  ///< −½ … ½
   double l_xx = 1;
   double l_xy = 0;
   double l_yy = 1;

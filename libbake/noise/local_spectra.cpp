@@ -129,7 +129,7 @@ class BandTransform {
       }
   }
 
-  /// Mean over the box of T + 1 origins, centred: its T + 2 taps along each axis are ½, 1, … 1, ½. Sums of T rows are
+  /// Mean over the box of T + 1 origins, centered: its T + 2 taps along each axis are ½, 1, … 1, ½. Sums of T rows are
   /// made by doubling, which is exact in structure (no running sum that drifts).
   void average(int bin) {
     OriginPlane& plane = power_[static_cast<size_t>(bins_[static_cast<size_t>(bin)].v)];

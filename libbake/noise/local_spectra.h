@@ -1,7 +1,7 @@
 // The local spectrum at every texel: Welch's method on small windows of the luminance.
 // Based on: Guingo et al. 2017, §3.3; Welch 1967.
 //
-// Around texel x all T×T segments whose origins lie in a (T+1)² box centred on x are windowed (Hann) and transformed;
+// Around texel x all T×T segments whose origins lie in a (T+1)² box centered on x are windowed (Hann) and transformed;
 //
 //   S_x(f) = sqrt(mean over the segments of |FFT|²) / (Σ w)² / (10 · std of the luminance)
 //

@@ -1,4 +1,4 @@
-// Clusters are found on a lattice of texels (neighbouring spectra are nearly equal), then every texel is assigned.
+// Clusters are found on a lattice of texels (neighboring spectra are nearly equal), then every texel is assigned.
 #include "libbake/noise/masks.h"
 
 #include <fmt/format.h>
@@ -28,18 +28,18 @@ void for_each_row(const GrainFeatures& features, int height, const Body& body) {
   });
 }
 
-/// ‖f(x) − centre‖² of four texels from x.
-Lanes squared_distances(const SpectraRows& features, int y, int x, const float* centre) {
+/// ‖f(x) − center‖² of four texels from x.
+Lanes squared_distances(const SpectraRows& features, int y, int x, const float* center) {
   Lanes sum{};
   const float* in = features.row(y, 0) + x;
   for (int d = 0; d < features.bins(); ++d, in += features.stride()) {
-    const Lanes difference = load_lanes(in) - splat(centre[d]);
+    const Lanes difference = load_lanes(in) - splat(center[d]);
     sum += difference * difference;
   }
   return sum;
 }
 
-/// Where two noises meet, a local spectrum sees both: half of the power of each. On the way from centre a to centre b,
+/// Where two noises meet, a local spectrum sees both: half of the power of each. On the way from center a to center b,
 /// in logarithms, that mixture does not lie half-way, but at this share: the border between two masks belongs there.
 /// Kept within 0.35 … 0.65, as inside a cluster features spread, too.
 float mixture_share(const GrainFeatures& features, const float* a, const float* b) {
@@ -53,22 +53,22 @@ float mixture_share(const GrainFeatures& features, const float* a, const float* 
   return squared > 0.0 ? static_cast<float>(std::clamp(along / squared, 0.35, 0.65)) : 0.5f;
 }
 
-/// The centres, and for each pair where the border between them lies.
+/// The centers, and for each pair where the border between them lies.
 struct Borders {
-  Borders(const GrainFeatures& features, const Vectors& all_centres)
-      : centres(all_centres),
-        count(static_cast<size_t>(centres.count())),
+  Borders(const GrainFeatures& features, const Vectors& all_centers)
+      : centers(all_centers),
+        count(static_cast<size_t>(centers.count())),
         share(count * count),
         squared(count * count) {
     for (size_t a = 0; a < count; ++a)
       for (size_t b = 0; b < count; ++b) {
-        const float* from = centres.row(static_cast<int>(a));
-        const float* to = centres.row(static_cast<int>(b));
-        squared[a * count + b] = squared_distance(from, to, centres.stride());
+        const float* from = centers.row(static_cast<int>(a));
+        const float* to = centers.row(static_cast<int>(b));
+        squared[a * count + b] = squared_distance(from, to, centers.stride());
         share[a * count + b] = a < b ? mixture_share(features, from, to) : 1.0f - mixture_share(features, to, from);
       }
   }
-  /// The cluster of a texel at these squared distances from the centres: the nearest one, or the second nearest where
+  /// The cluster of a texel at these squared distances from the centers: the nearest one, or the second nearest where
   /// the texel is past the border between the two.
   size_t cluster(const float* distances) const {
     size_t nearest = 0;
@@ -82,7 +82,7 @@ struct Borders {
     const float along = distances[nearest] - distances[second] + squared[pair];  // 2 · squared · the share of the way
     return along > 2.0f * squared[pair] * share[pair] ? second : nearest;
   }
-  const Vectors& centres;
+  const Vectors& centers;
   size_t count;
   std::vector<float> share;
   std::vector<float> squared;
@@ -94,7 +94,7 @@ void assign_binary(const SpectraRows& features, int y, const Borders& borders, s
   std::vector<float> distances(borders.count);
   for (int x = 0; x < width; x += kLanes) {
     for (size_t k = 0; k < borders.count; ++k)
-      squared[k] = squared_distances(features, y, x, borders.centres.row(static_cast<int>(k)));
+      squared[k] = squared_distances(features, y, x, borders.centers.row(static_cast<int>(k)));
     for (int i = 0; i < kLanes && x + i < width; ++i) {
       for (size_t k = 0; k < borders.count; ++k) distances[k] = squared[k][i];
       masks[borders.cluster(distances.data())](x + i, y) = 1.0f;
@@ -102,13 +102,13 @@ void assign_binary(const SpectraRows& features, int y, const Borders& borders, s
   }
 }
 
-/// Orthonormal axes of the affine hull of the centres, and the centres in them. Origin: centre 0.
+/// Orthonormal axes of the affine hull of the centers, and the centers in them. Origin: center 0.
 struct Hull {
-  explicit Hull(const Vectors& centres) : axes(centres.count() - 1, centres.dimensions()) {
-    for (int k = 1; k < centres.count(); ++k) {
-      std::vector<double> axis(static_cast<size_t>(centres.dimensions()));
+  explicit Hull(const Vectors& centers) : axes(centers.count() - 1, centers.dimensions()) {
+    for (int k = 1; k < centers.count(); ++k) {
+      std::vector<double> axis(static_cast<size_t>(centers.dimensions()));
       for (size_t d = 0; d < axis.size(); ++d)
-        axis[d] = static_cast<double>(centres.row(k)[d]) - static_cast<double>(centres.row(0)[d]);
+        axis[d] = static_cast<double>(centers.row(k)[d]) - static_cast<double>(centers.row(0)[d]);
       // Gram and Schmidt; an axis that the earlier ones already span stays zero.
       const double length_before = std::sqrt(std::inner_product(axis.begin(), axis.end(), axis.begin(), 0.0));
       for (int j = 0; j < k - 1; ++j) {
@@ -120,45 +120,45 @@ struct Hull {
       if (length > 1e-4 * length_before)
         for (size_t d = 0; d < axis.size(); ++d) axes.row(k - 1)[d] = static_cast<float>(axis[d] / length);
     }
-    for (int k = 0; k < centres.count(); ++k) {
+    for (int k = 0; k < centers.count(); ++k) {
       std::vector<float> place(static_cast<size_t>(axes.count()));
       for (int j = 0; j < axes.count(); ++j)
-        for (int d = 0; d < centres.dimensions(); ++d)
-          place[static_cast<size_t>(j)] += (centres.row(k)[d] - centres.row(0)[d]) * axes.row(j)[d];
-      centre_places.push_back(std::move(place));
+        for (int d = 0; d < centers.dimensions(); ++d)
+          place[static_cast<size_t>(j)] += (centers.row(k)[d] - centers.row(0)[d]) * axes.row(j)[d];
+      center_places.push_back(std::move(place));
     }
   }
   Vectors axes;
-  std::vector<std::vector<float>> centre_places;
+  std::vector<std::vector<float>> center_places;
 };
 
-/// M_k ∝ 1/d_k², d_k the distance to centre k inside the affine hull of the centres.
-void assign_soft(const SpectraRows& features, int y, const Vectors& centres, const Hull& hull,
+/// M_k ∝ 1/d_k², d_k the distance to center k inside the affine hull of the centers.
+void assign_soft(const SpectraRows& features, int y, const Vectors& centers, const Hull& hull,
                  std::vector<Image<float>>& masks) {
   const int width = masks.front().width();
-  const auto count = static_cast<size_t>(centres.count());
+  const auto count = static_cast<size_t>(centers.count());
   std::vector<Lanes> place(count - 1);
   std::vector<double> weights(count);
-  std::vector<float> quantised(count);
+  std::vector<float> quantized(count);
   for (int x = 0; x < width; x += kLanes) {
     for (int j = 0; j < hull.axes.count(); ++j) {
       Lanes sum{};
       const float* in = features.row(y, 0) + x;
       for (int d = 0; d < features.bins(); ++d, in += features.stride())
-        sum += (load_lanes(in) - splat(centres.row(0)[d])) * hull.axes.row(j)[d];
+        sum += (load_lanes(in) - splat(centers.row(0)[d])) * hull.axes.row(j)[d];
       place[static_cast<size_t>(j)] = sum;
     }
     for (int i = 0; i < kLanes && x + i < width; ++i) {
       for (size_t k = 0; k < count; ++k) {
-        double squared = 1e-12;  // at a centre itself its weight is all
+        double squared = 1e-12;  // at a center itself its weight is all
         for (size_t j = 0; j + 1 < count; ++j) {
-          const double difference = static_cast<double>(place[j][i]) - static_cast<double>(hull.centre_places[k][j]);
+          const double difference = static_cast<double>(place[j][i]) - static_cast<double>(hull.center_places[k][j]);
           squared += difference * difference;
         }
         weights[k] = 1.0 / squared;
       }
-      quantise_weights(weights, quantised);
-      for (size_t k = 0; k < count; ++k) masks[k](x + i, y) = quantised[k];
+      quantize_weights(weights, quantized);
+      for (size_t k = 0; k < count; ++k) masks[k](x + i, y) = quantized[k];
     }
   }
 }
@@ -195,9 +195,9 @@ float distance_of_share(const Image<float>& distance, const Image<uint8_t>& labe
 
 }  // namespace
 
-void quantise_weights(std::span<const double> weights, std::span<float> quantised) {
+void quantize_weights(std::span<const double> weights, std::span<float> quantized) {
   constexpr size_t kMost = 64;
-  assert(weights.size() == quantised.size() && weights.size() <= kMost);
+  assert(weights.size() == quantized.size() && weights.size() <= kMost);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   std::array<int, kMost> steps;
   std::array<double, kMost> remainder;
@@ -213,7 +213,7 @@ void quantise_weights(std::span<const double> weights, std::span<float> quantise
     ++steps[static_cast<size_t>(largest - remainder.begin())];
     *largest = -1.0;
   }
-  for (size_t k = 0; k < weights.size(); ++k) quantised[k] = static_cast<float>(steps[k]) / kMaskSteps;
+  for (size_t k = 0; k < weights.size(); ++k) quantized[k] = static_cast<float>(steps[k]) / kMaskSteps;
 }
 
 void check_masks(std::span<const Image<float>> masks) {
@@ -248,24 +248,24 @@ Vectors cluster_grain(const GrainFeatures& features, int noises, uint32_t seed) 
   std::vector<int> order(static_cast<size_t>(noises));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return features.luminance_of(found.centres.row(a)) < features.luminance_of(found.centres.row(b));
+    return features.luminance_of(found.centers.row(a)) < features.luminance_of(found.centers.row(b));
   });
-  Vectors centres(noises, features.dimensions());
+  Vectors centers(noises, features.dimensions());
   for (int k = 0; k < noises; ++k)
-    std::copy_n(found.centres.row(order[static_cast<size_t>(k)]), centres.stride(), centres.row(k));
-  return centres;
+    std::copy_n(found.centers.row(order[static_cast<size_t>(k)]), centers.stride(), centers.row(k));
+  return centers;
 }
 
-std::vector<Image<float>> assign_masks(const GrainFeatures& features, const Vectors& centres, MaskKind kind) {
+std::vector<Image<float>> assign_masks(const GrainFeatures& features, const Vectors& centers, MaskKind kind) {
   std::vector<Image<float>> masks;
-  for (int k = 0; k < centres.count(); ++k) masks.emplace_back(features.width(), features.height());
-  const Hull hull(centres);
-  const Borders borders(features, centres);
+  for (int k = 0; k < centers.count(); ++k) masks.emplace_back(features.width(), features.height());
+  const Hull hull(centers);
+  const Borders borders(features, centers);
   for_each_row(features, features.height(), [&](const SpectraRows& rows, int y) {
     if (kind == MaskKind::binary)
       assign_binary(rows, y, borders, masks);
     else
-      assign_soft(rows, y, centres, hull, masks);
+      assign_soft(rows, y, centers, hull, masks);
   });
   return masks;
 }
@@ -284,17 +284,17 @@ Image<uint8_t> strongest_mask(std::span<const Image<float>> masks) {
 std::vector<Image<uint8_t>> cluster_cores(const GrainFeatures& features, std::span<const Image<float>> masks,
                                           double share) {
   const Image<uint8_t> strongest = strongest_mask(masks);
-  const std::vector<std::vector<float>> centres = mean_features(features, strongest, masks.size());
+  const std::vector<std::vector<float>> centers = mean_features(features, strongest, masks.size());
 
-  // Distance of each texel to the centre of its own cluster.
+  // Distance of each texel to the center of its own cluster.
   Image<float> distance(strongest.width(), strongest.height());
   for_each_row(features, features.height(), [&](const SpectraRows& rows, int y) {
     for (int x = 0; x < strongest.width(); x += kLanes)
       for (size_t k = 0; k < masks.size(); ++k) {
         bool present = false;
         for (int i = 0; i < kLanes && x + i < strongest.width(); ++i) present = present || strongest(x + i, y) == k;
-        if (!present || centres[k].empty()) continue;
-        const Lanes squared = squared_distances(rows, y, x, centres[k].data());
+        if (!present || centers[k].empty()) continue;
+        const Lanes squared = squared_distances(rows, y, x, centers[k].data());
         for (int i = 0; i < kLanes && x + i < strongest.width(); ++i)
           if (strongest(x + i, y) == k) distance(x + i, y) = squared[i];
       }

@@ -14,8 +14,8 @@
 namespace texbake {
 
 enum class MaskKind {
-  binary,  ///< 1 for one noise, 0 for the others: the nearest centre, borders where both have half of the power
-  soft,    ///< a convex barycentre that keeps relative distances
+  binary,  ///< 1 for one noise, 0 for the others: the nearest center, borders where both have half of the power
+  soft,    ///< a convex barycenter that keeps relative distances
 };
 template <>
 struct EnumNames<MaskKind> {
@@ -28,17 +28,17 @@ inline constexpr int kMaskSteps = 2048;
 
 /// The weights, ≥ 0 and with a positive sum, as multiples of 1/kMaskSteps that sum to 1: by the largest remainder, the
 /// lowest index first among equal ones.
-void quantise_weights(std::span<const double> weights, std::span<float> quantised);
+void quantize_weights(std::span<const double> weights, std::span<float> quantized);
 
 /// Throws Error(bad_data) unless the masks are of one size, ≥ 0, multiples of 1/kMaskSteps and sum to 1 at each texel.
 void check_masks(std::span<const Image<float>> masks);
 
-/// Centres of the `noises` clusters of the features, dark ones first (by the luminance of their colour).
+/// Centers of the `noises` clusters of the features, dark ones first (by the luminance of their color).
 /// Throws Error(infeasible) when there are fewer distinct features.
 Vectors cluster_grain(const GrainFeatures& features, int noises, uint32_t seed);
 
-/// One plane for each centre.
-std::vector<Image<float>> assign_masks(const GrainFeatures& features, const Vectors& centres, MaskKind kind);
+/// One plane for each center.
+std::vector<Image<float>> assign_masks(const GrainFeatures& features, const Vectors& centers, MaskKind kind);
 
 /// The mask of greatest weight at each texel, the lowest index among equal ones.
 Image<uint8_t> strongest_mask(std::span<const Image<float>> masks);

@@ -1,4 +1,4 @@
-// Every realisation is one inverse transform; the phases are drawn in the order of the lower half of the frequencies.
+// Every realization is one inverse transform; the phases are drawn in the order of the lower half of the frequencies.
 #include "libbake/noise/noise_tile.h"
 
 #include <cassert>

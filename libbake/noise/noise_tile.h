@@ -1,4 +1,4 @@
-// Realisations of a noise from its spectrum, on a lattice.
+// Realizations of a noise from its spectrum, on a lattice.
 // Based on: Guingo et al. 2017, eq. 1 and §3.2: all noises share their phases, so that a blend of two keeps its power.
 // Here the frequencies of eq. 1 are those of a lattice, and the sum is one transform of all values in a row.
 #pragma once

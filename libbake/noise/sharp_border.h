@@ -10,7 +10,7 @@
 namespace texbake {
 
 /// 1 at the texels whose distance to a texel of another strongest mask is at most `width_px` (Euclidean, between texel
-/// centres, on the torus), else 0.
+/// centers, on the torus), else 0.
 Image<uint8_t> border_band(const std::vector<Image<float>>& masks, double width_px);
 
 /// In the band `structure` becomes the exemplar, and the masks become 0. A last mask is added that is 1 in the band:

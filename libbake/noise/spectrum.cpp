@@ -93,20 +93,20 @@ bool MaskedSpectrum::supports(int size) const {
 
 Image<float> MaskedSpectrum::estimate(ImageView<const float> noise) const {
   const double mean = masked_mean(noise, mask_);
-  Image<float> centred(noise.width(), noise.height());
+  Image<float> centerd(noise.width(), noise.height());
   double squares = 0.0;
   for (size_t i = 0; i < noise.size(); ++i) {
     if (mask_.data()[i] == 0) continue;
-    centred.data()[i] = static_cast<float>(static_cast<double>(noise.data()[i]) - mean);
-    squares += static_cast<double>(centred.data()[i]) * static_cast<double>(centred.data()[i]);
+    centerd.data()[i] = static_cast<float>(static_cast<double>(noise.data()[i]) - mean);
+    squares += static_cast<double>(centerd.data()[i]) * static_cast<double>(centerd.data()[i]);
   }
-  return magnitudes(estimator_ == SpectrumEstimator::windows ? windows_power(centred) : autocovariance_power(centred),
+  return magnitudes(estimator_ == SpectrumEstimator::windows ? windows_power(centerd) : autocovariance_power(centerd),
                     squares / static_cast<double>(count_));
 }
 
 /// The mean product over the pairs of each lag, times ½ + ½ cos(2π|lag|/T) for |lag| < T/2, transformed.
-Image<double> MaskedSpectrum::autocovariance_power(ImageView<const float> centred) const {
-  const Image<float> products = circular_autocorrelation(centred);
+Image<double> MaskedSpectrum::autocovariance_power(ImageView<const float> centerd) const {
+  const Image<float> products = circular_autocorrelation(centerd);
   Image<double> windowed(size_, size_);
   for (int y = 0; y < size_; ++y)
     for (int x = 0; x < size_; ++x) {
@@ -121,9 +121,9 @@ Image<double> MaskedSpectrum::autocovariance_power(ImageView<const float> centre
   return even_transform<double>(windowed);
 }
 
-/// Eq. 4-5: a window's circular autocovariance, normalised by |M ∩ Y|, transforms to |FFT(M · I)|² / |M ∩ Y|, so that
+/// Eq. 4-5: a window's circular autocovariance, normalized by |M ∩ Y|, transforms to |FFT(M · I)|² / |M ∩ Y|, so that
 /// the mean weighted by |M ∩ Y| is the sum of |FFT(M · I)|².
-Image<double> MaskedSpectrum::windows_power(ImageView<const float> centred) const {
+Image<double> MaskedSpectrum::windows_power(ImageView<const float> centerd) const {
   Image<double> power(size_, size_);
   Image<double> window(size_, size_);
   for (int top = 0; top + size_ <= mask_.height(); top += size_)
@@ -131,7 +131,7 @@ Image<double> MaskedSpectrum::windows_power(ImageView<const float> centred) cons
       int inside = 0;
       for (int y = 0; y < size_; ++y)
         for (int x = 0; x < size_; ++x) {
-          window(x, y) = static_cast<double>(centred(left + x, top + y));
+          window(x, y) = static_cast<double>(centerd(left + x, top + y));
           inside += mask_(left + x, top + y) != 0 ? 1 : 0;
         }
       if (inside < least_coverage_ * size_ * size_) continue;
@@ -191,7 +191,7 @@ Image<float> lattice_spectrum(ImageView<const float> spectrum, const NoiseLattic
   Image<double> power(from, from);
   for (size_t i = 0; i < power.size(); ++i)
     power.data()[i] = static_cast<double>(spectrum.data()[i]) * static_cast<double>(spectrum.data()[i]);
-  // S(0) is 0 by definition; between it and its neighbours the power does not dip.
+  // S(0) is 0 by definition; between it and its neighbors the power does not dip.
   power(0, 0) = 0.25 * (power(1, 0) + power(from - 1, 0) + power(0, 1) + power(0, from - 1));
   const Image<double> autocovariance = even_transform<double>(power);
 

@@ -45,8 +45,8 @@ class MaskedSpectrum {
 
  private:
   bool supports(int size) const;
-  Image<double> autocovariance_power(ImageView<const float> centred) const;
-  Image<double> windows_power(ImageView<const float> centred) const;
+  Image<double> autocovariance_power(ImageView<const float> centerd) const;
+  Image<double> windows_power(ImageView<const float> centerd) const;
   void choose_windows();
 
   ImageView<const uint8_t> mask_;
@@ -64,7 +64,7 @@ double masked_mean(ImageView<const float> image, ImageView<const uint8_t> mask);
 /// Σ S².
 double spectrum_power(ImageView<const float> spectrum);
 
-/// The magnitudes of a periodic realisation itself, without its mean: Σ S² is its variance.
+/// The magnitudes of a periodic realization itself, without its mean: Σ S² is its variance.
 Image<float> periodogram(ImageView<const float> tile);
 
 /// The same noise at the frequencies of a lattice, count×1: the autocovariance continues with zeros. Σ S² is kept.

@@ -7,7 +7,7 @@ namespace {
 
 using V3d = Imath::V3d;
 
-/// Sums of `side` neighbours along x: the first by adding them, the next by what enters and leaves. Values are halves,
+/// Sums of `side` neighbors along x: the first by adding them, the next by what enters and leaves. Values are halves,
 /// or floats near 1: their sums are exact in double, or as good as.
 Image<V3d> sums_along_x(const Image<V3d>& image, int side) {
   const int width = image.width();

@@ -33,7 +33,7 @@ struct NoiseInput {
 };
 
 /// What `prepare` reads. Only the base is required: without patches the tile repeats unchanged, without contents every
-/// patch has the identity alone, without fragments or colours their `Show` is refused.
+/// patch has the identity alone, without fragments or colors their `Show` is refused.
 struct EvaluatorInput {
   ImageView<const V3f> base;  ///< linear Rec.709
   const PatchMap* patches = nullptr;

@@ -52,8 +52,8 @@ struct TilePlanes : glsl::NoiseUniforms {
   Image<float> noise_gain;  ///< what levels have the noise of each texel multiplied with; empty: 1
 
   Image<uint32_t> fragment_idx;  ///< empty without fragments
-  Image<float> variation;        ///< empty without colours
-  Image<V3f> dominant;           ///< dominant colour of each texel, linear Rec.709; empty without colours
+  Image<float> variation;        ///< empty without colors
+  Image<V3f> dominant;           ///< dominant color of each texel, linear Rec.709; empty without colors
 
   const Plane* map(const std::string& name) const;
 };

@@ -14,9 +14,9 @@ using glsl::PatchTexel;
 
 /// A fragment under a block.
 struct Part {
-  int16_t x = 0, y = 0;  ///< its centre, from the corner of the block's repetition
+  int16_t x = 0, y = 0;  ///< its center, from the corner of the block's repetition
   uint32_t source = 0;   ///< texel of the tile that shows there: x + 65536 y
-  double share = 0;      ///< of the block, times the share of the coarser colour that it takes
+  double share = 0;      ///< of the block, times the share of the coarser color that it takes
 };
 
 /// Fragments of every value in a row of blocks: entries × contents.

@@ -62,7 +62,7 @@ class TexelValues {
         const vec4 all = shown(plane_.texels, p, entries[i], content);
         vec4& share = value(first + static_cast<uint32_t>(i), content);
         share = (mean + (all - mean) * gain) * weights[i];
-        // Beside colours stands what they take of a coarser scale, which has no detail.
+        // Beside colors stands what they take of a coarser scale, which has no detail.
         if (is_plain_) share.w = all.w * weights[i];
       }
   }

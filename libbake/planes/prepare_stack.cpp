@@ -33,7 +33,7 @@ void check_list(const std::vector<float>& list, size_t classes, const char* what
     if (!(x >= 0 && x <= 16)) throw Error(ErrorKind::bad_data, fmt::format("{}: expected 0 to 16, found {}", what, x));
 }
 
-/// Colours of the classes and what §8 lets a person choose for each: the first two rows.
+/// Colors of the classes and what §8 lets a person choose for each: the first two rows.
 void add_classes(const StackScale& scale, const ScaleTransfer* finer, std::vector<std::vector<glsl::vec4>>& rows) {
   const ScaleTransfer own = scale.transfer ? *scale.transfer : ScaleTransfer{};
   const std::vector<float> giving = finer ? finer->coarse_weights : std::vector<float>{};
@@ -141,7 +141,7 @@ class StackBuilder {
   std::vector<TilePlanes> planes_;
   std::vector<Image<glsl::FragmentTexel>> fragments_;
   std::vector<Image<glsl::vec4>> local_means_;
-  std::vector<std::vector<glsl::ivec4>> scales_{1};  ///< scale_table: the centres of all patches, then each scale
+  std::vector<std::vector<glsl::ivec4>> scales_{1};  ///< scale_table: the centers of all patches, then each scale
   std::vector<std::vector<glsl::vec4>> colors_{2};   ///< color_table: classes in two rows, then each scale
   int row_ = 0, patch_ = 0, first_class_ = 0;
 };

@@ -9,7 +9,7 @@
 namespace texbake {
 
 /// Throws Error(bad_data) where prepare does, for more than kMaxScales scales, noise in a scale that is not the finest,
-/// a scale without fragments or colours beside others, a ratio out of range, lists of weights of another length than
+/// a scale without fragments or colors beside others, a ratio out of range, lists of weights of another length than
 /// the palette, or a tile that is larger than that of the coarser scale: the scales are then in the wrong order.
 StackPlanes prepare_stack(const std::vector<StackScale>& scales);
 

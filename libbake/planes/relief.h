@@ -7,7 +7,7 @@ namespace texbake {
 
 /// What tells the slope of the surface to the light.
 enum class ShadeBy {
-  none,    ///< colours as they are
+  none,    ///< colors as they are
   height,  ///< the gradient of the height map
   normal,  ///< the material's normal map
 };

@@ -77,7 +77,7 @@ Image<V3f> gained(const StackScale& scale, Image<V3f> detail) {
 
 TilePlanes strong_planes(const StackScale& scale) {
   EvaluatorInput input = scale.input;
-  input.maps.clear();        // a stack passes colours alone
+  input.maps.clear();        // a stack passes colors alone
   input.soft_border_px = 0;  // their levels are made of the base with its gains
   const Image<V3f> base = times(input.base, scale.strength);
   input.base = base;

@@ -13,7 +13,7 @@
 namespace texbake {
 namespace {
 
-/// w: the share of the coarser colour that each texel takes.
+/// w: the share of the coarser color that each texel takes.
 void set_texels(Plane& plane, const Image<V3f>& colors, const Image<float>& taking) {
   for (size_t i = 0; i < colors.size(); ++i) {
     const V3f& c = colors.data()[i];
@@ -44,14 +44,14 @@ Image<float> gain_of(const StackScale& scale) {
 
 /// The planes of one scale with the lists of the levels that it needs in a stack.
 struct LeveledScale {
-  TilePlanes planes;  ///< base: with its gains; map 0: the dominant colours, where they are read
+  TilePlanes planes;  ///< base: with its gains; map 0: the dominant colors, where they are read
   LevelLists lists = {};
   LevelTables tables = {};
-  Image<glsl::ivec4> shares = {};  ///< of fragments; empty where they pass no colours
+  Image<glsl::ivec4> shares = {};  ///< of fragments; empty where they pass no colors
   int level_count = 0;
 };
 
-/// Whether the levels of dominant colours are read: of a scale that fades, and of texels on soft borders that are
+/// Whether the levels of dominant colors are read: of a scale that fades, and of texels on soft borders that are
 /// passed to a finer scale without their variation.
 bool has_dominants(const std::vector<StackScale>& scales, size_t s) {
   if (scales[s].transfer) return true;
@@ -95,7 +95,7 @@ void add_levels(StackPlanes& stack, const std::vector<StackScale>& scales) {
   std::vector<LeveledScale> leveled_scales;
   for (size_t s = 0; s < scales.size(); ++s) leveled_scales.push_back(leveled(scales[s], has_dominants(scales, s)));
 
-  // Bases of all scales first, then dominant colours.
+  // Bases of all scales first, then dominant colors.
   std::vector<const Image<glsl::ivec4>*> tables = {&stack.scale_table};
   std::vector<const Image<glsl::LevelBlock>*> blocks;
   std::vector<const Image<glsl::PatchTexel>*> entries;

@@ -1,4 +1,4 @@
-// Levels of detail of a stack: of every scale by itself, and the fragments under their blocks, which take colours of
+// Levels of detail of a stack: of every scale by itself, and the fragments under their blocks, which take colors of
 // the coarser scale. Based on: Lutz et al. 2019; Vanhoey et al. 2013, eq. 5. Layout: shaders/README.md, "Several
 // scales".
 #pragma once

@@ -23,7 +23,7 @@ struct StackPlanes : glsl::NoiseUniforms {
   Image<glsl::vec4> local_mean;
   Image<glsl::MaskTexel> masks;
   Image<glsl::vec4> noise_tiles;
-  Image<glsl::ivec4> scale_table;  ///< with the centres of patches, then the tables of levels
+  Image<glsl::ivec4> scale_table;  ///< with the centers of patches, then the tables of levels
   Image<glsl::vec4> color_table;
   /// This and what follows: stack_levels.h.
   Image<glsl::LevelBlock> level_blocks;

@@ -12,7 +12,7 @@ namespace texbake {
 struct StackScale {
   EvaluatorInput input;                     ///< noise: of the finest scale alone
   const ScaleTransfer* transfer = nullptr;  ///< nullptr for the coarsest alone
-  V3f strength{1};                          ///< what its colours are multiplied with: set_strengths
+  V3f strength{1};                          ///< what its colors are multiplied with: set_strengths
 };
 
 /// Sets the strength of every scale, as its transfer asks for; a part of prepare_stack.

@@ -18,7 +18,7 @@ glsl::Texel texel_at(int x, int y, V2i size) {
 
 /// Of one coarse texel.
 struct Violation {
-  V3d mean{0};  ///< of the fine texels inside it, less its colour
+  V3d mean{0};  ///< of the fine texels inside it, less its color
   int below_black = 0;
 };
 

@@ -1,4 +1,4 @@
-// How well the mean of fine texels keeps the coarse colour that they were given.
+// How well the mean of fine texels keeps the coarse color that they were given.
 // Based on: Vanhoey et al. 2013, §6, eq. 4, which eq. 5 meets only approximately.
 #pragma once
 

@@ -27,14 +27,14 @@ class WangTiling {
   std::array<Image<V2i>, 16> sources_;  ///< of those that are used
 };
 
-/// Wang tiles with two colours for each pair of sides: 16 tiles, each the size of the exemplar, whose sides show one of
+/// Wang tiles with two colors for each pair of sides: 16 tiles, each the size of the exemplar, whose sides show one of
 /// four random places of the exemplar, joined inside the tile along minimum-error cuts.
-/// Based on: Cohen et al. 2003, "Wang Tiles for image and texture generation". Gives `tiles` whole tiles; neighbours
+/// Based on: Cohen et al. 2003, "Wang Tiles for image and texture generation". Gives `tiles` whole tiles; neighbors
 /// agree across the border of the picture too.
 Image<V3f> wang_baseline(ImageView<const V3f> exemplar, V2i tiles, uint32_t seed);
 
 /// Hexagonal tiling: three weighted readings at randomly shifted places for each texel, with sharpened weights. The
-/// hexagon's side is a quarter of the exemplar's. Linear colours in, linear colours out.
+/// hexagon's side is a quarter of the exemplar's. Linear colors in, linear colors out.
 /// Based on: Mikkelsen 2022, "Practical Real-Time Hex-Tiling", without rotation. Gives the rows begin … end−1.
 Image<V3f> hex_baseline_rows(ImageView<const V3f> exemplar, int width_px, int begin, int end, uint32_t seed);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDirections = 64;
 constexpr int kQuantiles = 1024;
-constexpr size_t kMaxSamples = 1 << 16;  // colours: a distance of 0.004 is left to chance
+constexpr size_t kMaxSamples = 1 << 16;  // colors: a distance of 0.004 is left to chance
 constexpr size_t kMaxGradients = 1 << 19;
 
 // Value of a sorted sample at quantile (i + ½) / kQuantiles, linear between samples.

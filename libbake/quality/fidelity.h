@@ -1,4 +1,4 @@
-// How close a rendering is to its exemplar: colours, spectrum, sharpness, structure, and the amplitude of octave bands.
+// How close a rendering is to its exemplar: colors, spectrum, sharpness, structure, and the amplitude of octave bands.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace texbake {
 
-/// F_colour: sqrt of the mean over 64 directions of the squared Wasserstein-2 distance of the projected colours,
-/// divided by the exemplar's standard deviation. Nothing for an exemplar of constant colour.
+/// F_color: sqrt of the mean over 64 directions of the squared Wasserstein-2 distance of the projected colors,
+/// divided by the exemplar's standard deviation. Nothing for an exemplar of constant color.
 std::optional<double> color_distance(ImageView<const V3f> exemplar_luv, ImageView<const V3f> rendering_luv);
 
 /// F_psd: root mean square over 10 radial × 8 angular bins of 10 log10(P_rendering / P_exemplar), in dB. The spectra

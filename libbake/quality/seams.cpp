@@ -56,8 +56,8 @@ double mean_run(Image<uint8_t> marked) {
   return sum > 0.0 ? sum_of_squares / sum : 0.0;
 }
 
-// Differences of all 4-neighbours on the torus, sorted.
-std::vector<float> neighbour_differences(ImageView<const V3f> exemplar) {
+// Differences of all 4-neighbors on the torus, sorted.
+std::vector<float> neighbor_differences(ImageView<const V3f> exemplar) {
   std::vector<float> differences;
   differences.reserve(2 * exemplar.size());
   const V2i size(exemplar.width(), exemplar.height());
@@ -70,7 +70,7 @@ std::vector<float> neighbour_differences(ImageView<const V3f> exemplar) {
   return differences;
 }
 
-// Two neighbours of the rendering whose sources are not.
+// Two neighbors of the rendering whose sources are not.
 struct SeamPair {
   V2i p{0, 0};
   V2i q{0, 0};
@@ -114,7 +114,7 @@ std::vector<float> sorted(const std::vector<SeamPair>& pairs, const Value& value
 std::optional<Seams> seams(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source, const SeamOptions& options) {
   const std::vector<SeamPair> pairs = seam_pairs(exemplar_luv, source, options);
   if (pairs.empty()) return std::nullopt;
-  const std::vector<float> all = neighbour_differences(exemplar_luv);
+  const std::vector<float> all = neighbor_differences(exemplar_luv);
   const std::vector<float> seam = sorted(pairs, [](const SeamPair& pair) { return pair.difference; });
   const std::vector<float> own = sorted(pairs, [](const SeamPair& pair) { return pair.own; });
 

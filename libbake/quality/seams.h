@@ -9,7 +9,7 @@
 
 namespace texbake {
 
-/// Seam pairs against two references: "all" neighbours of the exemplar, and the exemplar's "own" difference across the
+/// Seam pairs against two references: "all" neighbors of the exemplar, and the exemplar's "own" difference across the
 /// same pair of texels before any exchange. Patch borders follow contrast on purpose, so "own" is the verdict.
 struct Seams {
   size_t pair_count = 0;
@@ -20,7 +20,7 @@ struct Seams {
   double run_px = 0;  ///< Σ len² / Σ len over 8-connected seam texels above that percentile of "all"
 };
 
-/// Which texels of the exemplar are neighbours.
+/// Which texels of the exemplar are neighbors.
 enum class Adjacency {
   torus,  ///< the tile goes on across its wrap
   plane,  ///< the wrap counts as a seam too: how periodic tiling is judged
@@ -28,7 +28,7 @@ enum class Adjacency {
 
 struct SeamOptions {
   /// Label of what each output texel belongs to, of the size of `source`, or empty. Texels of one label make no seam,
-  /// also where a turned content takes them from texels that are not neighbours.
+  /// also where a turned content takes them from texels that are not neighbors.
   ImageView<const uint32_t> shape = {};
   Adjacency adjacency = Adjacency::torus;
   /// What the rendering shows, CIELUV, of the size of `source`; empty where that is the exemplar at the source. Soft
@@ -37,7 +37,7 @@ struct SeamOptions {
 };
 
 /// `source(x, y)` is the texel of the exemplar that the rendering shows at (x, y), whose own place in the tile is
-/// (x, y) mod tile. Two 4-neighbours are a seam pair where their sources are not neighbours in the same way. Nothing
+/// (x, y) mod tile. Two 4-neighbors are a seam pair where their sources are not neighbors in the same way. Nothing
 /// when there is no seam pair.
 std::optional<Seams> seams(ImageView<const V3f> exemplar_luv, ImageView<const V2i> source,
                            const SeamOptions& options = {});

@@ -1,5 +1,5 @@
-// Each side of a tile shows the exemplar around a place that belongs to the side's colour, so that two tiles continue
-// each other where their colours agree. Inside, the four sides' pictures meet along the half diagonals:
+// Each side of a tile shows the exemplar around a place that belongs to the side's color, so that two tiles continue
+// each other where their colors agree. Inside, the four sides' pictures meet along the half diagonals:
 //
 //      N N N        a half diagonal is cut along the path of least error in a band around it
 //    W \ N / E
@@ -21,7 +21,7 @@ namespace {
 
 enum Side { kNorth, kEast, kSouth, kWest };
 
-// The places of the exemplar that the sides' colours show: [0 or 1] for west/east sides, and for north/south sides.
+// The places of the exemplar that the sides' colors show: [0 or 1] for west/east sides, and for north/south sides.
 struct Places {
   std::array<V2i, 2> vertical_side;
   std::array<V2i, 2> horizontal_side;
@@ -45,7 +45,7 @@ V2i source_of(Side side, V2i p, const SideColors& colors, const Places& places, 
   }
 }
 
-// The cut along one half diagonal. Step a = 0 … n/2−1 goes from the corner to the centre; at each step the cut stands
+// The cut along one half diagonal. Step a = 0 … n/2−1 goes from the corner to the center; at each step the cut stands
 // `offset` texels to the side of the diagonal, along the tile's long way for tiles that are not square.
 template <class Error>
 std::vector<int> least_error_offsets(int steps, int reach, const Error& error) {
@@ -55,7 +55,7 @@ std::vector<int> least_error_offsets(int steps, int reach, const Error& error) {
   std::vector<std::vector<int8_t>> from(static_cast<size_t>(steps), std::vector<int8_t>(static_cast<size_t>(width)));
   for (int a = 0; a < steps; ++a) {
     std::vector<double> next(static_cast<size_t>(width), INFINITY);
-    const int open = std::min({a, steps - 1 - a, reach});  // the cut starts in the corner and ends in the centre
+    const int open = std::min({a, steps - 1 - a, reach});  // the cut starts in the corner and ends in the center
     for (int u = -open; u <= open; ++u) {
       const auto i = static_cast<size_t>(u + reach);
       int best = 0;
@@ -131,7 +131,7 @@ WangTiling::WangTiling(ImageView<const V3f> exemplar_luv, V2i tiles, uint32_t se
   for (V2i& p : places.vertical_side) p = place();
   for (V2i& p : places.horizontal_side) p = place();
 
-  // A colour for every side of the grid of tiles, on the torus of the picture.
+  // A color for every side of the grid of tiles, on the torus of the picture.
   Image<uint8_t> west_colors(tiles.x, tiles.y);
   Image<uint8_t> north_colors(tiles.x, tiles.y);
   for (uint8_t& color : west_colors) color = static_cast<uint8_t>(random.below(2));

@@ -104,7 +104,7 @@ struct LevelBlock {
 
 /// The fragment plane of a stack: four 16-bit channels.
 struct FragmentTexel {
-  int16_t center_x = 0;  ///< way to the centre of the texel's fragment, in texels
+  int16_t center_x = 0;  ///< way to the center of the texel's fragment, in texels
   int16_t center_y = 0;
   int16_t fragment_class = 0;
   int16_t class_idx = 0;  ///< of the texel

@@ -1,5 +1,5 @@
 // The reference text of a stack with a memory of what was seen last: probes and pixels side by side mostly read the
-// same blocks, and blocks side by side the same coarser colours.
+// same blocks, and blocks side by side the same coarser colors.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline bool same(const Texel& a, const Texel& b) {
   return a.p.x == b.p.x && a.p.y == b.p.y && a.tile.x == b.tile.x && a.tile.y == b.tile.y;
 }
 
-/// Remembers coarser colours. Differs from Program in time alone. Not to be shared between threads.
+/// Remembers coarser colors. Differs from Program in time alone. Not to be shared between threads.
 class ColorProgram : public Program {
  public:
   explicit ColorProgram(const Program& program) : Program(program), colors_(kSlots) {}
@@ -32,7 +32,7 @@ class ColorProgram : public Program {
 #undef PRECISE
 
  private:
-  /// The centre of a fragment, and the coarser colour there.
+  /// The center of a fragment, and the coarser color there.
   struct Color {
     Texel center{{0, 0}, {0, 0}};
     int scale = -1;

@@ -53,7 +53,7 @@ SheetCell converted_cell(ImageView<const V3f> exemplar, const ConvertOptions& op
           beside(decode_dominant(found.colors), decode(found.colors))};
 }
 
-/// Every fragment in its mean colour, its border dark.
+/// Every fragment in its mean color, its border dark.
 Image<V3f> drawn_fragments(const FragmentMap& map) {
   const Image<uint32_t>& idx = map.partition.idx;
   Image<V3f> picture(idx.width(), idx.height());
@@ -104,7 +104,7 @@ Sheet convert_sheet(ImageView<const V3f> exemplar, const ConvertOptions& options
       sheet.cells.push_back(converted_cell(tile, other, ""));
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::bad_data) throw;
-      break;  // fewer colours than classes
+      break;  // fewer colors than classes
     }
     report_progress(progress, static_cast<double>(sheet.cells.size()) / (std::size(kCounts) + 2));
   }

@@ -11,12 +11,12 @@
 
 namespace texbake {
 
-/// For K = 2, 3, 4, 6, 8, 12 (those that the tile has colours for): the dominant colours and the compact form, with
-/// the colour error. Above: the exemplar, and K chosen automatically.
+/// For K = 2, 3, 4, 6, 8, 12 (those that the tile has colors for): the dominant colors and the compact form, with
+/// the color error. Above: the exemplar, and K chosen automatically.
 Sheet convert_sheet(ImageView<const V3f> exemplar, const ConvertOptions& options, const Progress& progress = {});
 
 /// Three contrasts (half, once, twice the threshold) by three sizes (half, once, twice both areas) around `options`,
-/// each fragment in its mean colour, borders dark.
+/// each fragment in its mean color, borders dark.
 Sheet fragment_sheet(const PrincipalVariation& colors, ImageView<const V3f> base, const FragmentOptions& options,
                      const Progress& progress = {});
 

@@ -25,8 +25,8 @@ int reduction_to(V2i size, int largest_side);
 /// The same for `input`: a power of two where it has noises, whose tiles stay powers of two that way.
 int reduction_to(const EvaluatorInput& input, int largest_side);
 
-/// Colours are means of factor × factor blocks; patches and owners are taken from the middle of each block;
-/// translations and centres are divided and rounded. Masks are taken from the middle of blocks, noises are means.
+/// Colors are means of factor × factor blocks; patches and owners are taken from the middle of each block;
+/// translations and centers are divided and rounded. Masks are taken from the middle of blocks, noises are means.
 /// `factor` divides both sides of the base and of the noises.
 ReducedTile reduced_tile(const EvaluatorInput& input, int factor);
 

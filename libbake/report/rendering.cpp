@@ -23,7 +23,7 @@ Window whole_tiles(V2i tile, V2i tiles, uint32_t seed) {
 }
 
 // Draws the rows begin … end−1 by `rows_of(begin, end)`, linear, into a picture in CIELUV. What noise takes below black
-// is black, as on a screen: CIELUV has no such colours, and their u, v have no bounds.
+// is black, as on a screen: CIELUV has no such colors, and their u, v have no bounds.
 template <class RowsOf>
 Image<V3f> luv_by_strips(V2i size, const RowsOf& rows_of) {
   Image<V3f> picture(size.x, size.y);

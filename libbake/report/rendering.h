@@ -14,7 +14,7 @@ Image<V3f> bundle_luv(const EvaluatorPlanes& planes, V2i tiles, uint32_t seed);
 /// The same of a baseline made from the tile.
 Image<V3f> periodic_luv(ImageView<const V3f> tile_luv, V2i tiles);
 Image<V3f> wang_luv(ImageView<const V3f> tile_luv, V2i tiles, uint32_t seed);
-/// `tile_linear` in linear Rec.709: its colours are blended as light.
+/// `tile_linear` in linear Rec.709: its colors are blended as light.
 Image<V3f> hex_luv(ImageView<const V3f> tile_linear, V2i tiles, uint32_t seed);
 
 /// Where a rendering takes its texels from: what seams are found by.

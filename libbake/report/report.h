@@ -19,7 +19,7 @@ struct Judgement {
   Verdict verdict = Verdict::undefined;
 };
 
-/// Whether one map of the material can be tiled: its wrap, judged as the colour's.
+/// Whether one map of the material can be tiled: its wrap, judged as the color's.
 struct MapReport {
   std::string name;
   double tile_x = 1;
@@ -37,7 +37,7 @@ struct Report {
 
   std::array<MeasureRow, kMethodCount> methods;  ///< by Method
   MeasureRow floor;                              ///< between the exemplar's halves
-  std::vector<MapReport> maps;                   ///< beside the colour, whose wrap is in `methods`
+  std::vector<MapReport> maps;                   ///< beside the color, whose wrap is in `methods`
   std::vector<Judgement> judgements;             ///< in the order of the measures
   Suitability suitability;
   Verdict verdict = Verdict::undefined;  ///< the worst of the judgements and the maps'

@@ -70,7 +70,7 @@ ReportPicture contents_picture(const EvaluatorInput& tile) {
   const auto patch = static_cast<int>(largest - patches.areas_px.begin());
   const int count = std::min(tile.contents->content_count, kMaxContents);
   const V2i size(tile.base.width(), tile.base.height());
-  // A square around the centre that holds every patch of usual shape.
+  // A square around the center that holds every patch of usual shape.
   const int half = std::min({static_cast<int>(std::sqrt(static_cast<double>(*largest))), size.x / 2, size.y / 2});
   const int step = std::max((2 * half + kContentPx - 1) / kContentPx, 1);
   const int side = std::max(2 * half / step, 1);
@@ -92,7 +92,7 @@ ReportPicture contents_picture(const EvaluatorInput& tile) {
           std::move(strip), false};
 }
 
-// A spectrum in grey, DC in the middle.
+// A spectrum in gray, DC in the middle.
 ReportPicture spectrum_picture(ImageView<const float> spectrum, size_t number) {
   const V2i size(spectrum.width(), spectrum.height());
   const float largest = std::max(*std::max_element(spectrum.begin(), spectrum.end()), 1e-20f);

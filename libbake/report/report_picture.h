@@ -19,7 +19,7 @@ struct ReportPicture {
   PictureGroup group = PictureGroup::overview;
   std::string caption;      ///< one line
   Image<V3f> linear;        ///< linear Rec.709
-  bool is_drawing = false;  ///< flat colours, stored without loss
+  bool is_drawing = false;  ///< flat colors, stored without loss
 };
 
 /// The tile, a large window of the infinite texture, fragments, patches, contents, the contents of one patch; with
@@ -32,7 +32,7 @@ std::vector<ReportPicture> bundle_pictures(const EvaluatorInput& tile, const Eva
 /// One rendering at the same place for every method: a window at 1 : 1 where four tiles meet, and all of it from afar.
 std::vector<ReportPicture> rendering_pictures(std::string_view name, ImageView<const V3f> rendering_luv, V2i tile);
 
-/// Seams over the greyed texture: blue where they hide, red where they step more than was usual there before.
+/// Seams over the grayed texture: blue where they hide, red where they step more than was usual there before.
 ReportPicture seam_picture(ImageView<const V3f> tile_luv, const RenderingSources& sources);
 
 /// How much of the variation around each texel of the tile returns with every tile: black 0, white 1.

@@ -1,4 +1,4 @@
-// A sheet of labelled pictures, to choose a parameter by eye. Based on: Guingo et al. 2017, Fig. 14.
+// A sheet of labeled pictures, to choose a parameter by eye. Based on: Guingo et al. 2017, Fig. 14.
 #pragma once
 
 #include <string>

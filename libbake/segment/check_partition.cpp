@@ -39,7 +39,7 @@ class Checker {
       fault = PartitionFault{kind, shape, texel, 1};
   }
 
-  /// Range of idx and owner, agreement with the right and the lower neighbour, and the sums for the centre.
+  /// Range of idx and owner, agreement with the right and the lower neighbor, and the sums for the center.
   void visit(V2i p) {
     const uint32_t shape = partition_.idx(p.x, p.y);
     if (!in_range(shape)) {
@@ -54,9 +54,9 @@ class Checker {
     const V2i u = partition_.unwrapped(p.x, p.y);
     bool consistent = std::abs(owner.x) <= 1 && std::abs(owner.y) <= 1;
     for (int n = 0; n < 2; ++n) {
-      const V2i q = wrap(V2i(p.x + kNeighbourX[n], p.y + kNeighbourY[n]), size_);
+      const V2i q = wrap(V2i(p.x + kNeighborX[n], p.y + kNeighborY[n]), size_);
       if (partition_.idx(q.x, q.y) == shape)
-        consistent = consistent && partition_.unwrapped(q.x, q.y) == V2i(u.x + kNeighbourX[n], u.y + kNeighbourY[n]);
+        consistent = consistent && partition_.unwrapped(q.x, q.y) == V2i(u.x + kNeighborX[n], u.y + kNeighborY[n]);
     }
     if (!consistent) count(facts.inconsistent_owner, Kind::inconsistent_owner, shape, p);
     if (facts.area == 0) {
@@ -87,7 +87,7 @@ class Checker {
           const V2i p = stack.back();
           stack.pop_back();
           for (int n = 0; n < 4; ++n) {
-            const V2i q = wrap(V2i(p.x + kNeighbourX[n], p.y + kNeighbourY[n]), size_);
+            const V2i q = wrap(V2i(p.x + kNeighborX[n], p.y + kNeighborY[n]), size_);
             if (visited(q.x, q.y) || partition_.idx(q.x, q.y) != shape) continue;
             visited(q.x, q.y) = 1;
             stack.push_back(q);

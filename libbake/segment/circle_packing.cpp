@@ -10,9 +10,9 @@
 namespace texbake {
 namespace {
 
-constexpr int kThrows = 8;       // for each centre
+constexpr int kThrows = 8;       // for each center
 constexpr int kPushes = 24;      // enough to even out the gaps, too few to end in a honeycomb
-constexpr double kReach = 1.15;  // cells; neighbours in the densest packing are 2^½ / 3^¼ = 1.07 apart
+constexpr double kReach = 1.15;  // cells; neighbors in the densest packing are 2^½ / 3^¼ = 1.07 apart
 constexpr double kPush = 0.25;   // share of the overlap that each of the two gives way
 constexpr int kBalanceSteps = 60;
 constexpr double kBalanceRate = 0.3;  // cells² per share of a cell too much or too little

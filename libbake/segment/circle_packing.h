@@ -16,10 +16,10 @@ using Imath::V2d;
 struct CirclePacking {
   V2i size;                   ///< of the tile
   V2d cell;                   ///< width and height of one circle's share of the tile, in texels: the unit of distance
-  std::vector<V2d> centers;   ///< in 0 … size; texel (x, y) has its centre at (x + 0.5, y + 0.5)
+  std::vector<V2d> centers;   ///< in 0 … size; texel (x, y) has its center at (x + 0.5, y + 0.5)
   std::vector<double> power;  ///< of each circle, in cells²; 0 until they are balanced
 
-  /// Squared distance of `point` from the centre of circle `i`, the shortest on the torus, in cells².
+  /// Squared distance of `point` from the center of circle `i`, the shortest on the torus, in cells².
   double squared_distance(V2d point, size_t i) const;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "libbake/segment/neighbours.h"
+#include "libbake/segment/neighbors.h"
 #include "libbake/segment/torus_box.h"
 
 namespace texbake {
@@ -13,9 +13,9 @@ namespace {
 struct Body {
   size_t seed = 0;
   int area = 0;
-  double sum[3] = {0, 0, 0};  // of the colours
+  double sum[3] = {0, 0, 0};  // of the colors
   TorusBox box;
-  bool is_stuck = false;  // no neighbour can take what it holds
+  bool is_stuck = false;  // no neighbor can take what it holds
 };
 
 /// A fragment that may be too small, with its area when it was queued.
@@ -67,7 +67,7 @@ class Cleaner {
     std::vector<size_t> texels{bodies_[fragment].seed};
     growth_.idx.data()[texels[0]] = kFree;
     for (size_t head = 0; head < texels.size(); ++head)
-      for (const size_t n : Neighbours(texels[head], size_).at)
+      for (const size_t n : Neighbors(texels[head], size_).at)
         if (growth_.idx.data()[n] == fragment) {
           growth_.idx.data()[n] = kFree;
           texels.push_back(n);
@@ -83,7 +83,7 @@ class Cleaner {
     // From the border inward: first those that touch another fragment, then those that touch the first.
     std::vector<size_t> wave;
     for (const size_t at : texels)
-      for (const size_t n : Neighbours(at, size_).at)
+      for (const size_t n : Neighbors(at, size_).at)
         if (growth_.idx.data()[n] != kFree) {
           wave.push_back(at);
           break;
@@ -91,23 +91,23 @@ class Cleaner {
     for (size_t head = 0; head < wave.size(); ++head) {
       const size_t at = wave[head];
       if (growth_.idx.data()[at] != kFree) continue;
-      const uint32_t target = nearest_neighbour(at);
+      const uint32_t target = nearest_neighbor(at);
       if (target == kFree) continue;
       growth_.idx.data()[at] = target;
       account(target, at);
-      for (const size_t n : Neighbours(at, size_).at)
+      for (const size_t n : Neighbors(at, size_).at)
         if (growth_.idx.data()[n] == kFree) wave.push_back(n);
     }
     for (const size_t at : texels)
       if (growth_.idx.data()[at] == kFree) keep_piece(at);
   }
 
-  /// The neighbouring fragment of nearest mean colour that may take the texel; kFree when none may.
-  uint32_t nearest_neighbour(size_t at) const {
+  /// The neighboring fragment of nearest mean color that may take the texel; kFree when none may.
+  uint32_t nearest_neighbor(size_t at) const {
     uint32_t best = kFree;
     bool best_is_full = true;
     double best_distance = 0;
-    for (const size_t n : Neighbours(at, size_).at) {
+    for (const size_t n : Neighbors(at, size_).at) {
       const uint32_t fragment = growth_.idx.data()[n];
       if (fragment == kFree) continue;
       const Body& body = bodies_[fragment];
@@ -133,7 +133,7 @@ class Cleaner {
     return sum;
   }
 
-  /// What no neighbour could take becomes a fragment that stays, however small.
+  /// What no neighbor could take becomes a fragment that stays, however small.
   void keep_piece(size_t seed) {
     const auto fragment = static_cast<uint32_t>(bodies_.size());
     bodies_.push_back({.seed = seed, .box = {}, .is_stuck = true});
@@ -141,7 +141,7 @@ class Cleaner {
     growth_.idx.data()[seed] = fragment;
     for (size_t head = 0; head < piece.size(); ++head) {
       account(fragment, piece[head]);
-      for (const size_t n : Neighbours(piece[head], size_).at)
+      for (const size_t n : Neighbors(piece[head], size_).at)
         if (growth_.idx.data()[n] == kFree) {
           growth_.idx.data()[n] = fragment;
           piece.push_back(n);

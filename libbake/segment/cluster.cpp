@@ -73,7 +73,7 @@ class Growing {
         clusters_.pin(f);
       }
     for (uint32_t f = 0; f < graph_.count(); ++f)
-      if (clusters_.of(f) != Clusters::kNone) offer_neighbours(f);
+      if (clusters_.of(f) != Clusters::kNone) offer_neighbors(f);
     take_offers();
 
     for (uint32_t f = 0; f < graph_.count(); ++f) {
@@ -81,14 +81,14 @@ class Growing {
       clusters_.add_cluster(f);
       packing_.centers.push_back(middle_of(map_, f));
       packing_.power.push_back(0);
-      offer_neighbours(f);
+      offer_neighbors(f);
       take_offers();
     }
     return std::move(clusters_);
   }
 
  private:
-  void offer_neighbours(uint32_t fragment) {
+  void offer_neighbors(uint32_t fragment) {
     const uint32_t cluster = clusters_.of(fragment);
     for (const FragmentLink& link : graph_.links_of(fragment))
       if (clusters_.of(link.other) == Clusters::kNone)
@@ -102,7 +102,7 @@ class Growing {
       offers_.pop();
       if (clusters_.of(offer.fragment) != Clusters::kNone || !clusters_.fits(offer.fragment, offer.cluster)) continue;
       clusters_.join(offer.fragment, offer.cluster);
-      offer_neighbours(offer.fragment);
+      offer_neighbors(offer.fragment);
     }
   }
 

@@ -37,7 +37,7 @@ ContrastReport contrast_report(ImageView<const V3f> base, const FragmentMap& fra
     RowSums& sums = rows[static_cast<size_t>(y)];
     for (int x = 0; x < width; ++x) {
       for (int n = 0; n < 2; ++n) {
-        const int u = wrap(x + kNeighbourX[n], width), v = wrap(y + kNeighbourY[n], height);
+        const int u = wrap(x + kNeighborX[n], width), v = wrap(y + kNeighborY[n], height);
         const double difference = delta_e(luv(x, y), luv(u, v));
         const bool is_border = idx(x, y) != idx(u, v);
         (is_border ? sums.border : sums.interior) += difference;

@@ -20,7 +20,7 @@ struct ContrastReport {
 /// `base` is the picture that was fragmented, linear Rec.709; `max_area_px` the resolved option.
 ContrastReport contrast_report(ImageView<const V3f> base, const FragmentMap& fragments, int max_area_px);
 
-/// Why exchanged contents and transferred colours may show seams.
+/// Why exchanged contents and transferred colors may show seams.
 enum class LowContrast {
   faint_borders,  ///< the borders are so faint that they mask nothing
   size_limited,   ///< most fragments ended at the greatest area instead of at a border

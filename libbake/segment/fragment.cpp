@@ -42,7 +42,7 @@ int share_of(double area, double share, int least) {
   return std::max(least, static_cast<int>(std::floor(area * share + 0.5)));
 }
 
-/// All but the threshold, which needs the colours without grain.
+/// All but the threshold, which needs the colors without grain.
 FragmentOptions resolve_sizes(FragmentOptions options, const PrincipalVariation& colors) {
   check_options(options);
   const auto area = static_cast<double>(colors.index.size());

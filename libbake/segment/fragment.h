@@ -1,4 +1,4 @@
-// Fragments: small regions of one colour class, the atoms of patches and of colour transfer.
+// Fragments: small regions of one color class, the atoms of patches and of color transfer.
 // Based on: Vanhoey et al. 2013, §5.1.
 #pragma once
 
@@ -50,7 +50,7 @@ struct FragmentOptions {
 };
 
 struct Fragment {
-  uint32_t class_idx = 0;  ///< colour class of the seed
+  uint32_t class_idx = 0;  ///< color class of the seed
   V3f mean_color{0};       ///< mean of the base over the fragment, linear Rec.709, half-exact
 };
 

@@ -18,7 +18,7 @@ std::vector<Edge> border_edges(const Image<uint32_t>& idx, ImageView<const V3f> 
   for (int y = 0; y < idx.height(); ++y)
     for (int x = 0; x < idx.width(); ++x)
       for (int n = 0; n < 2; ++n) {
-        const V2i q(wrap(x + kNeighbourX[n], idx.width()), wrap(y + kNeighbourY[n], idx.height()));
+        const V2i q(wrap(x + kNeighborX[n], idx.width()), wrap(y + kNeighborY[n], idx.height()));
         const uint64_t a = idx(x, y), b = idx(q.x, q.y);
         if (a == b) continue;
         const V3f d = luv(x, y) - luv(q.x, q.y);

@@ -26,7 +26,7 @@ struct FragmentGraph {
   }
 };
 
-/// `luv` is the picture that was fragmented, in CIELUV. Its steps are what hides a seam; mean colours of fragments may
+/// `luv` is the picture that was fragmented, in CIELUV. Its steps are what hides a seam; mean colors of fragments may
 /// differ where the picture does not step.
 FragmentGraph fragment_graph(const FragmentMap& map, ImageView<const V3f> luv);
 

@@ -6,7 +6,7 @@
 #include <queue>
 
 #include "libbake/base/random.h"
-#include "libbake/segment/neighbours.h"
+#include "libbake/segment/neighbors.h"
 #include "libbake/segment/torus_box.h"
 
 namespace texbake {
@@ -87,7 +87,7 @@ class Grower {
     return std::fabs(static_cast<double>(v) - sum_ / area_) < static_cast<double>(limits_.threshold);
   }
 
-  /// Joins the texel, unless the box would become too large, and asks its free neighbours.
+  /// Joins the texel, unless the box would become too large, and asks its free neighbors.
   void add(size_t at) {
     const TorusBox box = joined(box_, texel_of(at, size_), size_);
     if (!fits(box, limits_.max_extent)) return;
@@ -95,7 +95,7 @@ class Grower {
     growth_.idx.data()[at] = fragment_;
     ++area_;
     sum_ += static_cast<double>(variation_.data()[at]);
-    for (const size_t n : Neighbours(at, size_).at) {
+    for (const size_t n : Neighbors(at, size_).at) {
       if (growth_.idx.data()[n] != kFree || asked_by_[n] == fragment_) continue;
       asked_by_[n] = fragment_;
       bordering_.push_back(n);

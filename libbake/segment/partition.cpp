@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "libbake/base/error.h"
-#include "libbake/segment/neighbours.h"
+#include "libbake/segment/neighbors.h"
 
 namespace texbake {
 namespace {
@@ -65,7 +65,7 @@ Extent flood(const Image<uint32_t>& idx, size_t start, Image<OwnerOffset>& tile,
   extent.add(queue.front().position);
   for (size_t head = 0; head < queue.size() && extent.fits(size); ++head) {
     for (int n = 0; n < 4; ++n) {
-      const V2i p(queue[head].position.x + kNeighbourX[n], queue[head].position.y + kNeighbourY[n]);
+      const V2i p(queue[head].position.x + kNeighborX[n], queue[head].position.y + kNeighborY[n]);
       const V2i q = wrap(p, size);
       const size_t at = position_of(q, size);
       if (visited[at] || idx.data()[at] != shape) continue;
@@ -108,7 +108,7 @@ Partition unwrap(Image<uint32_t> idx) {
                               shape, max_extent(size.x), max_extent(size.y), extent.high.x - extent.low.x + 1,
                               extent.high.y - extent.low.y + 1, first.x, first.y));
 
-    // From the repetition of each texel, relative to the first, to that of the centre, relative to each texel.
+    // From the repetition of each texel, relative to the first, to that of the center, relative to each texel.
     const V2i center = wrap(extent.center(), size);
     const V2i home((extent.center().x - center.x) / size.x, (extent.center().y - center.y) / size.y);
     for (const Unwrapped& texel : queue) {

@@ -11,7 +11,7 @@
 
 namespace texbake {
 
-/// In which repetition of the tile the shape of a texel has its centre, relative to the texel's own: −1, 0 or 1 each.
+/// In which repetition of the tile the shape of a texel has its center, relative to the texel's own: −1, 0 or 1 each.
 struct OwnerOffset {
   int8_t x = 0;
   int8_t y = 0;
@@ -19,8 +19,8 @@ struct OwnerOffset {
 };
 
 /// Every texel belongs to exactly one shape. A shape is 4-connected on the torus and unwraps consistently to Z²: texel
-/// p of a shape lies at p − owner(p) · size in the frame whose tile holds the centre, and two texels of the shape that
-/// are neighbours on the torus are neighbours there. Its unwrapped bounding box is less than half the tile on each
+/// p of a shape lies at p − owner(p) · size in the frame whose tile holds the center, and two texels of the shape that
+/// are neighbors on the torus are neighbors there. Its unwrapped bounding box is less than half the tile on each
 /// axis.
 struct Partition {
   Image<uint32_t> idx;       ///< shape of each texel, 0 … count−1, all used
@@ -30,7 +30,7 @@ struct Partition {
 
   int count() const { return static_cast<int>(centers.size()); }
   V2i size() const { return {idx.width(), idx.height()}; }
-  /// Where texel (x, y) lies in the frame whose tile holds the centre of its shape.
+  /// Where texel (x, y) lies in the frame whose tile holds the center of its shape.
   V2i unwrapped(int x, int y) const {
     const OwnerOffset o = owner(x, y);
     return {x - o.x * idx.width(), y - o.y * idx.height()};
@@ -47,7 +47,7 @@ inline int64_t rounded_mean(int64_t sum, int64_t count) {
   return twice < 0 && quotient * 2 * count != twice ? quotient - 1 : quotient;
 }
 
-/// Computes owner offsets, centres and areas of the shapes in `idx` (dense, 0 … count−1), breadth first from the first
+/// Computes owner offsets, centers and areas of the shapes in `idx` (dense, 0 … count−1), breadth first from the first
 /// texel of each shape in row order. Throws Error(bad_data) naming the first shape that is empty, is not connected, or
 /// does not unwrap to a bounding box of less than half the tile; a shape that winds around the torus never does.
 Partition unwrap(Image<uint32_t> idx);

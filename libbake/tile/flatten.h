@@ -1,5 +1,5 @@
 // Takes out of a tile what gives its repetition away: shading, and features that stand out from all others.
-// Based on: local mean and contrast normalisation, as before texture matching (Heeger and Bergen 1995; Lowe 2004, §6).
+// Based on: local mean and contrast normalization, as before texture matching (Heeger and Bergen 1995; Lowe 2004, §6).
 #pragma once
 
 #include "libbake/base/image.h"

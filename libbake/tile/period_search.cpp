@@ -16,7 +16,7 @@ constexpr int kSearchSide = 256;     // a pattern's period is first looked for a
 constexpr int kMostMultiples = 48;   // more are thinned out evenly
 constexpr double kMuchBetter = 0.6;  // what a period must gain to be worth resampling
 
-// Change of colour around a texel: the lengths of both central differences.
+// Change of color around a texel: the lengths of both central differences.
 float gradient(ImageView<const V3f> luv, int x, int y) {
   const int left = std::max(x - 1, 0), right = std::min(x + 1, luv.width() - 1);
   const int above = std::max(y - 1, 0), below = std::min(y + 1, luv.height() - 1);

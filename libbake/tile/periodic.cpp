@@ -83,7 +83,7 @@ Image<T> closed(const TilePlan& plan, ImageView<const T> image) {
   return transposed<T>(join_along_x(transposed<T>(tile), seam_of(y, plan.cut_y, CutEnds::closed)));
 }
 
-// Neighbours that the cuts brought together, against all others.
+// Neighbors that the cuts brought together, against all others.
 double measure_cut(const TilePlan& plan, const Image<V3f>& tile) {
   const V2i size(tile.width(), tile.height());
   double joined_sum = 0, other_sum = 0;
@@ -94,9 +94,9 @@ double measure_cut(const TilePlan& plan, const Image<V3f>& tile) {
         const V2i step(k == 0, k == 1);
         const V2i next = wrap(V2i(x, y) + step, size);
         const double difference = (tile(x, y) - tile(next.x, next.y)).length();
-        const bool neighbours = plan.source_place(next) == plan.source_place({x, y}) + step;
-        (neighbours ? other_sum : joined_sum) += difference;
-        ++(neighbours ? other : joined);
+        const bool neighbors = plan.source_place(next) == plan.source_place({x, y}) + step;
+        (neighbors ? other_sum : joined_sum) += difference;
+        ++(neighbors ? other : joined);
       }
   if (joined == 0 || other == 0 || other_sum == 0) return 1;
   return joined_sum / static_cast<double>(joined) / (other_sum / static_cast<double>(other));

@@ -60,7 +60,7 @@ struct AxisPlan {
   int size = 0;      ///< texels of the tile; resampled where it is not `length`
 };
 
-/// Everything that the maps of a material need to follow the colour into its tile.
+/// Everything that the maps of a material need to follow the color into its tile.
 struct TilePlan {
   V2i source_size{0};
   AxisPlan x, y;
@@ -68,7 +68,7 @@ struct TilePlan {
   std::vector<int> cut_y;  ///< for each of x.length columns; empty without a cut
   SeamMeasure before;      ///< of the source
   SeamMeasure after;       ///< of the tile at its straight border, which the cuts leave
-  /// Mean CIELUV difference of neighbours that a cut brought together / that of neighbours in the tile; 1 is ideal,
+  /// Mean CIELUV difference of neighbors that a cut brought together / that of neighbors in the tile; 1 is ideal,
   /// leaves and pebbles reach 1.4-1.8 without being seen. 1 without a cut.
   double cut_ratio = 1;
 
@@ -77,7 +77,7 @@ struct TilePlan {
   bool is_resampled() const { return x.size != x.length || y.size != y.length; }
   V2i tile_from_source() const { return {x.begin, y.begin}; }
   /// The source texel that tile texel p shows before resampling, p in (0, 0) … (x.length − 1, y.length − 1). Near the
-  /// cuts its shade may have been levelled (seam_join.h).
+  /// cuts its shade may have been leveled (seam_join.h).
   V2i source_place(V2i p) const;
 };
 

@@ -35,12 +35,12 @@ std::vector<Taps> taps_of_side(int old_size, int new_size, Wrap border) {
   const double stretch = std::max(scale, 1.0);
   std::vector<Taps> side(static_cast<size_t>(new_size));
   for (int i = 0; i < new_size; ++i) {
-    const double centre = (i + 0.5) * scale - 0.5;
-    const int first = static_cast<int>(std::ceil(centre - kLobes * stretch));
-    const int last = static_cast<int>(std::floor(centre + kLobes * stretch));
+    const double center = (i + 0.5) * scale - 0.5;
+    const int first = static_cast<int>(std::ceil(center - kLobes * stretch));
+    const int last = static_cast<int>(std::floor(center + kLobes * stretch));
     std::vector<double> weights;
     double sum = 0;
-    for (int k = first; k <= last; ++k) sum += weights.emplace_back(lanczos((k - centre) / stretch));
+    for (int k = first; k <= last; ++k) sum += weights.emplace_back(lanczos((k - center) / stretch));
     for (int k = first; k <= last; ++k) {
       side[i].index.push_back(inside(k, old_size, border));
       side[i].weight.push_back(static_cast<float>(weights[k - first] / sum));

@@ -22,7 +22,7 @@ struct SeamCut {
 };
 
 /// The cut of least cost, found exactly. `mismatch` (at least two columns, at least one row) says how much the two
-/// pictures differ at each texel of the strip; each pair of 4-neighbours that show different pictures costs the sum of
+/// pictures differ at each texel of the strip; each pair of 4-neighbors that show different pictures costs the sum of
 /// their two mismatches. Of cuts of equal cost, one is chosen by a fixed rule.
 SeamCut minimum_cut(ImageView<const float> mismatch, CutEnds ends);
 

@@ -1,5 +1,5 @@
 // Joins a picture with itself along a cut, and levels the shade that still differs across it.
-// Based on: Efros and Freeman 2001, §2.1; the levelling is a membrane as in Pérez et al. 2003, of the smoothed
+// Based on: Efros and Freeman 2001, §2.1; the leveling is a membrane as in Pérez et al. 2003, of the smoothed
 // mismatch.
 #pragma once
 

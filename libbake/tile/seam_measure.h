@@ -6,7 +6,7 @@
 
 namespace texbake {
 
-/// The wrap of one axis. A step is the mean absolute difference between two neighbouring columns (or rows). Where the
+/// The wrap of one axis. A step is the mean absolute difference between two neighboring columns (or rows). Where the
 /// side is a multiple of 8, the wrap is compared with the steps at multiples of 8 alone: JPEG makes steps there, and
 /// the wrap is one of them. Ratios are at most 1000; a picture that is constant along the axis has ratios of 1.
 struct AxisSeam {
@@ -29,7 +29,7 @@ struct SeamMeasure {
   bool tiles() const { return x.tiles() && y.tiles(); }
 };
 
-/// Colours in linear Rec.709, compared by their Euclidean distance in sRGB codes, as the eye and JPEG see them. (In
+/// Colors in linear Rec.709, compared by their Euclidean distance in sRGB codes, as the eye and JPEG see them. (In
 /// CIELUV the chroma noise of JPEG in dark places outweighs the seam.)
 SeamMeasure measure_seam(ImageView<const V3f> linear);
 /// One channel of data, compared by absolute difference.

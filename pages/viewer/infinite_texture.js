@@ -25,7 +25,7 @@ class InfiniteTexture {
   draw({origin, step_256, seed, show, viewer}) {
     const gl = this.gl;
     const view = this.viewOf(step_256);
-    // Colours have levels of detail; what is a label has none, and is sampled.
+    // Colors have levels of detail; what is a label has none, and is sampled.
     const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(view.step_256 / 256)));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
@@ -46,7 +46,7 @@ class InfiniteTexture {
   }
 
   // What the reference shader decides and shows at points {tile: [x, y], offset_256: [x, y], seed, …}: for each the patch,
-  // the content, the source texel, and the linear colours of pointViews.
+  // the content, the source texel, and the linear colors of pointViews.
   evaluate(points) {
     const gl = this.gl;
     if (!gl.getExtension('EXT_color_buffer_float')) throw new Error('expected WebGL 2 with EXT_color_buffer_float');
@@ -93,7 +93,7 @@ class InfiniteTexture {
     return {x, y};
   }
 
-  // The colours of a point, by name: the filter, and how it is seen: at the level that the point names.
+  // The colors of a point, by name: the filter, and how it is seen: at the level that the point names.
   pointViews(point) {
     return [['nearest', 0, {level_256: 0}], ['bilinear', 1, {level_256: 0}], ['trilinear', 1, {level_256: point.level_256 || 0}]];
   }

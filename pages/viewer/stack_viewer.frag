@@ -32,7 +32,7 @@ vec3 sample_color(Position at) {
   Source source = source_of(texel, decision);
   if (show == 1) return color_of(uint(decision.patch_idx));
   if (show == 3) return color_of(uint(decision.content));
-  // A fragment has no number here, but a centre of its own.
+  // A fragment has no number here, but a center of its own.
   ivec2 way = texelFetch(fragment_plane, ivec2(source.nearest.x, source.nearest.y + plane_row), 0).xy;
   int x = wrap_any(source.nearest.x + way.x, tile_size.x);
   int y = wrap_any(source.nearest.y + way.y, tile_size.y);

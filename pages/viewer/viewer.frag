@@ -3,10 +3,10 @@
 uniform uvec2 origin_tile;     // as in reference.frag
 uniform ivec2 origin_offset;
 uniform uint step_256;         // 1/256 texels from one sample to the next
-uniform int samples;           // samples to a pixel on each axis: more than one where something else than colour is shown
-uniform int level_256;         // level of detail of the colour, as in reference.frag
+uniform int samples;           // samples to a pixel on each axis: more than one where something else than color is shown
+uniform int level_256;         // level of detail of the color, as in reference.frag
 uniform int height_px;         // of the window: row 0 is its top
-uniform int show;              // 0 colour, 1 patches, 2 fragments, 3 contents
+uniform int show;              // 0 color, 1 patches, 2 fragments, 3 contents
 uniform usampler2D fragments;  // R32UI, W x H: fragment idx of each texel
 
 out vec4 screen;

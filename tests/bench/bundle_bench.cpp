@@ -1,4 +1,4 @@
-// Time to write, read, verify and hash bundles: a 1024² material with three maps, and a 4096² colour bundle.
+// Time to write, read, verify and hash bundles: a 1024² material with three maps, and a 4096² color bundle.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 

@@ -144,7 +144,7 @@ BENCHMARK(BM_ContentSearchRefined)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 
-// With the centres of the patches, about which contents are turned.
+// With the centers of the patches, about which contents are turned.
 Partition partition_of(const Tile& tile) {
   Partition patches = twin::partition(tile.patches.clone(), kPatchCount);
   std::vector<V2i> first(kPatchCount, V2i(-1, -1)), sums(kPatchCount, V2i(0, 0));

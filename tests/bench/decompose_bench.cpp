@@ -10,7 +10,7 @@
 namespace texbake {
 namespace {
 
-/// Two grains in regions of 60 px, in colour.
+/// Two grains in regions of 60 px, in color.
 Image<V3f> exemplar(int size) {
   const Image<float> ring = synthetic_noise(ring_power, size, 0.004, 1);
   const Image<float> blob = synthetic_noise(blob_power, size, 0.004, 2);

@@ -75,7 +75,7 @@ void obvious_spectrum(benchmark::State& state) {
 }
 BENCHMARK(obvious_spectrum)->Unit(benchmark::kMillisecond)->Iterations(1)->MeasureProcessCPUTime();
 
-/// The whole stage: cores, colour spaces, spectra, histograms, `lobes` lobes, tiles.
+/// The whole stage: cores, color spaces, spectra, histograms, `lobes` lobes, tiles.
 void whole_stage(benchmark::State& state) {
   const Field field;
   EstimatePsdOptions options;

@@ -29,8 +29,8 @@ Image<V3f> read(const std::string& name, PictureRole role) {
   if (!folder) throw Error(ErrorKind::usage, "set TEXBAKE_TEXTURES to the folder of the photographs");
   const Picture picture = read_picture({.path = std::string(folder) + "/" + name, .role = role});
   const Image<float>* planes = picture.planes;
-  const bool grey = picture.channels == 1;
-  const Image<V3f> image = interleave({planes[0].clone(), planes[grey ? 0 : 1].clone(), planes[grey ? 0 : 2].clone()});
+  const bool gray = picture.channels == 1;
+  const Image<V3f> image = interleave({planes[0].clone(), planes[gray ? 0 : 1].clone(), planes[gray ? 0 : 2].clone()});
   return picture.width() == kSide ? image.clone() : resample(image, kSide, kSide, Borders{});
 }
 

@@ -50,7 +50,7 @@ TEST(VerifyGl, WhereItDiffersIsAPointOfTheTextureWithBothValues) {
   report.worst = WorstWindow{window, "normal", {5, 1, V3f(0, 0, 1), V3f(0, 0.5f, 1), 0.5f}};
   report.first_decision = DifferingDecision{window, {0, 0}, {3, 1, 7, 2}, {3, 2, 6, 5}};
   const Outcome outcome = parity_outcome({{GlLanguage::core, report}}, {8, 8});
-  // Pixel 5 of two texels each begins 10 texels on: 2 in the tile after the one that wraps to 0, its centre one more.
+  // Pixel 5 of two texels each begins 10 texels on: 2 in the tile after the one that wraps to 0, its center one more.
   EXPECT_THAT(outcome.text,
               HasSubstr("worst value: normal at tile (0, 0), texel (3, 3), seed 9, bilinear: expected (0, "
                         "0, 1), found (0, 0.5, 1)"));

@@ -24,7 +24,7 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     static int count = 0;
-    const bool has_memory = std::filesystem::is_directory("/dev/shm");  // thousands of synchronised files, at once
+    const bool has_memory = std::filesystem::is_directory("/dev/shm");  // thousands of synchronized files, at once
     path_ = std::filesystem::path(has_memory ? "/dev/shm" : testing::TempDir()) /
             ("texbake-bundle-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
     std::filesystem::remove_all(path_);
@@ -152,8 +152,8 @@ inline NoiseModel two_noises(const Image<V3f>& exemplar, const Image<V3f>& struc
     for (NoiseChannel& channel : noise.channels) {
       channel.spectrum = Image<float>(size, size);
       channel.spectrum(1, 2) = channel.spectrum(size - 1, size - 2) = deviation / std::sqrt(2.0f);
-      for (int i = 0; i < Equalisation::kEntries; ++i) channel.equalisation.values.push_back(random.uniform());
-      channel.lobes = {{{.power = 0.5, .centre_x_cpp = 0.25, .centre_y_cpp = -0.125, .l_xx = 3}}, 0.125};
+      for (int i = 0; i < Equalization::kEntries; ++i) channel.equalization.values.push_back(random.uniform());
+      channel.lobes = {{{.power = 0.5, .center_x_cpp = 0.25, .center_y_cpp = -0.125, .l_xx = 3}}, 0.125};
     }
     noise.tile = Image<V3f>(512, 512);  // a chessboard, which is quickly written
     for (int y = 0; y < 512; ++y)
@@ -264,14 +264,14 @@ inline void expect_equal(const Scale& a, const Scale& b) {
 
 inline void expect_equal(const NoiseChannel& a, const NoiseChannel& b) {
   EXPECT_TRUE(a.spectrum == b.spectrum);
-  EXPECT_EQ(a.equalisation.values, b.equalisation.values);
+  EXPECT_EQ(a.equalization.values, b.equalization.values);
   EXPECT_EQ(a.lobes.error, b.lobes.error);
   ASSERT_EQ(a.lobes.lobes.size(), b.lobes.lobes.size());
   for (size_t i = 0; i < a.lobes.lobes.size(); ++i) {
     const Lobe &one = a.lobes.lobes[i], &other = b.lobes.lobes[i];
     EXPECT_EQ(one.power, other.power);
-    EXPECT_EQ(one.centre_x_cpp, other.centre_x_cpp);
-    EXPECT_EQ(one.centre_y_cpp, other.centre_y_cpp);
+    EXPECT_EQ(one.center_x_cpp, other.center_x_cpp);
+    EXPECT_EQ(one.center_y_cpp, other.center_y_cpp);
     EXPECT_EQ(one.l_xx, other.l_xx);
     EXPECT_EQ(one.l_xy, other.l_xy);
     EXPECT_EQ(one.l_yy, other.l_yy);

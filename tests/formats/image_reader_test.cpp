@@ -41,7 +41,7 @@ class ImageReader : public ::testing::Test {
   PictureFolder folder_;
 };
 
-TEST_F(ImageReader, EightBitColourIsDecodedByTheExactSrgbCurve) {
+TEST_F(ImageReader, EightBitColorIsDecodedByTheExactSrgbCurve) {
   const std::string path = folder_ / "a.png";
   std::vector<uint8_t> samples;
   for (int code = 0; code < 256; ++code) samples.insert(samples.end(), {static_cast<uint8_t>(code), 7, 200});
@@ -62,7 +62,7 @@ TEST_F(ImageReader, EightBitColourIsDecodedByTheExactSrgbCurve) {
   EXPECT_THAT(picture.notes, IsEmpty());
 }
 
-TEST_F(ImageReader, SixteenBitColourKeepsItsPrecision) {
+TEST_F(ImageReader, SixteenBitColorKeepsItsPrecision) {
   save_picture(folder_ / "a.png", spec_of(3, 1, 3, OIIO::TypeDesc::UINT16),
                std::vector<uint16_t>{0, 1, 256, 257, 32768, 32769, 65279, 65534, 65535});
   const Picture picture = read_color(folder_ / "a.png");
@@ -120,7 +120,7 @@ TEST_F(ImageReader, GammaOfThePngIsFollowed) {
   EXPECT_NEAR(with_gamma(55556).planes[0](0, 0), std::pow(128 / 255.0, 1.8), 1e-5);
 }
 
-TEST_F(ImageReader, GreyIsPromotedForColourAndKeptForData) {
+TEST_F(ImageReader, GrayIsPromotedForColorAndKeptForData) {
   save_picture(folder_ / "a.png", spec_of(2, 1, 1, OIIO::TypeDesc::UINT8), std::vector<uint8_t>{51, 255});
   const Picture color = read_color(folder_ / "a.png");
   ASSERT_EQ(color.channels, 3);
@@ -170,7 +170,7 @@ TEST_F(ImageReader, FloatNormalsAreVectorsWhereOneIsNegativeElseUnit) {
   EXPECT_THAT(units.notes, ElementsAre(HasSubstr("0 to 1"), HasSubstr("not of unit length")));
 }
 
-TEST_F(ImageReader, AlphaIsDroppedAndUnassociatedColourKept) {
+TEST_F(ImageReader, AlphaIsDroppedAndUnassociatedColorKept) {
   save_picture(folder_ / "opaque.png", spec_of(1, 1, 4, OIIO::TypeDesc::UINT8), std::vector<uint8_t>{10, 20, 30, 255});
   PngParts parts{.width = 2, .height = 1, .bit_depth = 8, .color_type = 6};
   parts.rows = {std::string("\x0a\x14\x1e\x80\xc8\x64\x32\x00", 8)};
@@ -185,7 +185,7 @@ TEST_F(ImageReader, AlphaIsDroppedAndUnassociatedColourKept) {
   EXPECT_THAT(clear.notes, ElementsAre(AllOf(HasSubstr("alpha was dropped"), HasSubstr("2 of 2 texels"))));
 }
 
-TEST_F(ImageReader, PremultipliedColourIsDividedByItsAlpha) {
+TEST_F(ImageReader, PremultipliedColorIsDividedByItsAlpha) {
   save_picture(folder_ / "a.exr", spec_of(2, 1, 4, OIIO::TypeDesc::FLOAT),
                std::vector<float>{0.25f, 0.5f, 0.125f, 0.5f, 3.0f, 2.0f, 1.0f, 0.0f});
   const Picture picture = read_color(folder_ / "a.exr");
@@ -194,7 +194,7 @@ TEST_F(ImageReader, PremultipliedColourIsDividedByItsAlpha) {
   EXPECT_EQ(picture.planes[0](1, 0), 3.0f);  // nothing to divide by: light without opacity
 }
 
-TEST_F(ImageReader, GreyWithAlphaIsGrey) {
+TEST_F(ImageReader, GrayWithAlphaIsGray) {
   PngParts parts{.width = 2, .height = 1, .bit_depth = 8, .color_type = 4};
   parts.rows = {"\x33\xff\xff\xff"};
   write_bytes(folder_ / "a.png", png_bytes(parts));
@@ -218,7 +218,7 @@ TEST_F(ImageReader, PalettesAreExpanded) {
   }
 }
 
-TEST_F(ImageReader, FewBitsOfGreySpanZeroToOne) {
+TEST_F(ImageReader, FewBitsOfGraySpanZeroToOne) {
   for (const int depth : {1, 2, 4}) {
     PngParts parts{.width = 2, .height = 1, .bit_depth = static_cast<uint8_t>(depth), .color_type = 0};
     parts.rows = {std::string(1, static_cast<char>(((1 << depth) - 1) << (8 - depth)))};  // highest, lowest
@@ -302,7 +302,7 @@ TEST_F(ImageReader, FirstOfSeveralPicturesIsReadAndSaid) {
   EXPECT_THAT(picture.notes, ElementsAre(HasSubstr("several pictures")));
 }
 
-TEST_F(ImageReader, NegativeColoursBecomeZeroAndAreCounted) {
+TEST_F(ImageReader, NegativeColorsBecomeZeroAndAreCounted) {
   save_picture(folder_ / "a.exr", spec_of(2, 1, 3, OIIO::TypeDesc::FLOAT),
                std::vector<float>{-1, 0.5f, -0.0f, -1e-9f, 0, 1});
   const Picture picture = read_color(folder_ / "a.exr");
@@ -324,7 +324,7 @@ TEST_F(ImageReader, NanAndInfinityAreRefusedWithCountAndFirstTexel) {
   }
 }
 
-TEST_F(ImageReader, ColourAboveTheLargestHalfIsRefused) {
+TEST_F(ImageReader, ColorAboveTheLargestHalfIsRefused) {
   save_picture(folder_ / "a.exr", spec_of(2, 1, 3, OIIO::TypeDesc::FLOAT), std::vector<float>{1, 1, 1, 1, 70000, 1});
   const Refusal found = reading_refusal(folder_ / "a.exr");
   EXPECT_EQ(found.kind, ErrorKind::bad_data);
@@ -443,7 +443,7 @@ TEST_F(ImageReader, ChannelsMustSuitTheRole) {
   EXPECT_EQ(reading_refusal(folder_ / "two.exr").kind, ErrorKind::bad_data);
 }
 
-TEST_F(ImageReader, DepthAndLayersBesideColourAreLeftOut) {
+TEST_F(ImageReader, DepthAndLayersBesideColorAreLeftOut) {
   OIIO::ImageSpec spec = spec_of(1, 1, 5, OIIO::TypeDesc::FLOAT);
   spec.channelnames = {"R", "G", "B", "A", "Z"};
   spec.alpha_channel = 3;
@@ -454,7 +454,7 @@ TEST_F(ImageReader, DepthAndLayersBesideColourAreLeftOut) {
   EXPECT_EQ(picture.planes[2](0, 0), 0.3f);
 }
 
-TEST_F(ImageReader, InterleavedPlanesAreColours) {
+TEST_F(ImageReader, InterleavedPlanesAreColors) {
   save_picture(folder_ / "a.exr", spec_of(2, 1, 3, OIIO::TypeDesc::FLOAT), std::vector<float>{1, 2, 3, 4, 5, 6});
   const Image<V3f> image = interleave(read_color(folder_ / "a.exr").planes);
   EXPECT_EQ(image(1, 0), V3f(4, 5, 6));

@@ -16,7 +16,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Colours over the whole range, 0 and 1 among them.
+// Colors over the whole range, 0 and 1 among them.
 Image<V3f> ramp(int width, int height) {
   Image<V3f> image(width, height);
   for (size_t i = 0; i < image.size(); ++i) {
@@ -51,7 +51,7 @@ TEST_F(ImageWriter, APictureGivenUpBeforeItsFirstRowLeavesNothingAndSaysNothing)
   }
 }
 
-TEST_F(ImageWriter, ColourComesBackWithinHalfACode) {
+TEST_F(ImageWriter, ColorComesBackWithinHalfACode) {
   const Image<V3f> image = ramp(64, 100);
   write_picture(folder_ / "8.png", image, PictureRole::color);
   write_picture(folder_ / "16.png", image, PictureRole::color, SampleType::uint16);
@@ -73,7 +73,7 @@ TEST_F(ImageWriter, FloatsComeBackExactlyAndHalvesRounded) {
   for (size_t i = 0; i < image.size(); ++i) ASSERT_EQ(halves.data()[i], half_exact(image.data()[i]));
 }
 
-TEST_F(ImageWriter, JpegIsCloseToTheColour) {
+TEST_F(ImageWriter, JpegIsCloseToTheColor) {
   const Image<V3f> image(32, 32, V3f(0.25f, 0.5f, 0.125f));
   write_picture(folder_ / "a.jpg", image, PictureRole::color);
   EXPECT_LE(largest_difference(read_back(folder_ / "a.jpg"), image), 0.02f);  // two codes of chroma rounding

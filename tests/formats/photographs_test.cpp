@@ -58,7 +58,7 @@ TEST_F(Photographs, APlainCropDoesNotTileUntilItIsClosed) {
 }
 
 TEST_F(Photographs, TenClicksRecoverTheHeightsOfCrackedEarth) {
-  // A linear fit to half of all heights, by smoothed colour, deviation and gradients, reaches 0.79. Twelve draws of ten
+  // A linear fit to half of all heights, by smoothed color, deviation and gradients, reaches 0.79. Twelve draws of ten
   // clicks reach 0.69 (tests/bench/height_bench.cpp), one draw between 0.6 and 0.75.
   const Image<float> truth = resample(height("cracked_earth/height.png"), 512, 512, Borders{});
   const Image<V3f> base = resample(exemplar("cracked_earth/albedo.jpg"), 512, 512, Borders{});

@@ -78,7 +78,7 @@ struct PngParts {
   uint32_t width = 0;
   uint32_t height = 0;
   uint8_t bit_depth = 8;
-  uint8_t color_type = 0;         ///< 0 grey, 2 RGB, 3 palette, 4 grey + alpha, 6 RGBA
+  uint8_t color_type = 0;         ///< 0 gray, 2 RGB, 3 palette, 4 gray + alpha, 6 RGBA
   std::string extra_chunks = {};  ///< made by `png_chunk`, before the texels
   std::vector<std::string> rows = {};
 };

@@ -98,7 +98,7 @@ TEST_F(Readme, HistogramsAndSpectraAreWhereItSays) {
   const Pixels histogram = read_pixels(path_, manifest_["noise"]["histogram"]);
   const Pixels spectrum = read_pixels(path_, manifest_["noise"]["noises"][1]["spectrum"]);
   const NoiseChannel& channel = bundle_.noise->noises[1].channels[2];
-  EXPECT_EQ(histogram.at<float>(1, 0, 33, 3 * 1 + 2), channel.equalisation.values[33]);
+  EXPECT_EQ(histogram.at<float>(1, 0, 33, 3 * 1 + 2), channel.equalization.values[33]);
   EXPECT_EQ(spectrum.width, channel.spectrum.width());
   EXPECT_EQ(spectrum.at<float>(3, 2, 1, 2), channel.spectrum(1, 2));
 }

@@ -435,7 +435,7 @@ TEST(Verify, WhatMayNotBeReadIsAnIoErrorAndNoInvalidBundle) {
 }
 
 TEST(Verify, ReadingThrowsTheFirstErrorOfWhatItChecks) {
-  // What costs a pass over neighbours or sums is verify's alone.
+  // What costs a pass over neighbors or sums is verify's alone.
   const std::set<IssueId> only_verify = {
       palette_unit,    palette_sign,   mean_mismatch,  shape_empty,      shape_not_connected, shape_owner,
       shape_too_large, fragment_split, fragment_color, content_identity, content_translation, content_matrix,

@@ -22,7 +22,7 @@ struct GoldenPoint {
   int level_256 = 0;
   V3f trilinear{0};
 
-  /// A window whose one pixel has its centre at the point.
+  /// A window whose one pixel has its center at the point.
   Window window(Filter filter) const {
     Window window;
     window.origin_x = x;
@@ -34,7 +34,7 @@ struct GoldenPoint {
     return window;
   }
 
-  /// One whose one pixel, as large as the trilinear filter's, has its centre there.
+  /// One whose one pixel, as large as the trilinear filter's, has its center there.
   Window trilinear_window(V2i tile_size) const {
     Window window = this->window(Filter::trilinear);
     window.step_256 = step_256;

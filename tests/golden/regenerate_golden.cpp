@@ -22,7 +22,7 @@ struct Point {
   uint32_t seed;
 };
 
-/// Points on centres, lines and corners of texels, at borders of the tile, and anywhere; near and far.
+/// Points on centers, lines and corners of texels, at borders of the tile, and anywhere; near and far.
 std::vector<Point> points_of(V2i n) {
   Random random(2024, 5);
   const int64_t kTiles[] = {0, 1, -1, 5, -7, int64_t{1} << 31, -(int64_t{1} << 31), (int64_t{1} << 32) - 1, 987654321};
@@ -154,7 +154,7 @@ Json relief_json(const SmallRelief& relief) {
   return json;
 }
 
-/// A point of the finest scale, with its colours near, faded into the coarser scale, and at a level of detail.
+/// A point of the finest scale, with its colors near, faded into the coarser scale, and at a level of detail.
 Json stack_point_json(const SmallStack& stack, const Point& point, Random& random) {
   const StackPainter painter(stack, point.seed);
   const int finest = painter.finest();

@@ -1,5 +1,5 @@
 // usage: node viewer_test.cjs CHROMIUM GOLDEN_FOLDER PAGES_FOLDER: the exported pages in a real browser. They render, a
-// click and a drag work, and the shader's decisions and colours are the golden vectors.
+// click and a drag work, and the shader's decisions and colors are the golden vectors.
 'use strict';
 
 const assert = require('node:assert');

@@ -8,7 +8,7 @@
 namespace texbake {
 namespace {
 
-// Clusters on a ring of radius 40 around grey, at two lightnesses, every direction different.
+// Clusters on a ring of radius 40 around gray, at two lightnesses, every direction different.
 PointSet planted_clusters(int count, float along, float across) {
   constexpr float kRing[8][2] = {{40, 0}, {28, 28}, {0, 40}, {-28, 28}, {-40, 0}, {-28, -28}, {0, -40}, {28, -28}};
   Random random(21);
@@ -30,7 +30,7 @@ TEST(AutoClasses, PlantedClustersAreCounted) {
   }
 }
 
-TEST(AutoClasses, FewerColoursThanThreeAreEachAClass) {
+TEST(AutoClasses, FewerColorsThanThreeAreEachAClass) {
   EXPECT_EQ(best_lines_of_auto_count(point_set(std::vector<PointF>(100, {50, 1, 1, 0})), 0.1f).lines.size(), 1u);
   std::vector<PointF> two(100, {50, 1, 1, 0});
   two[40] = {20, 5, 5, 0};
@@ -44,7 +44,7 @@ TEST(AutoClasses, WhatCannotBeSeenIsNotDivided) {
   EXPECT_EQ(best_lines_of_auto_count(points, 0.1f).lines.size(), 3u);
 }
 
-TEST(AutoClasses, StructurelessColoursGetFewClasses) {
+TEST(AutoClasses, StructurelessColorsGetFewClasses) {
   Random random(3);
   PointSet points;
   add_cluster(points, random, {{50, 5, 5, 0}, {1, 0, 0, 0}}, 2000, 20, 10);

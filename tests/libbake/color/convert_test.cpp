@@ -13,7 +13,7 @@
 namespace texbake {
 namespace {
 
-// A picture of blobs: class k covers every cell of 8×8 texels whose hash says so; colours vary along the class's line.
+// A picture of blobs: class k covers every cell of 8×8 texels whose hash says so; colors vary along the class's line.
 Image<V3f> blobs(int size, const std::vector<ColorLine>& lines, float along, float across, uint64_t seed = 1) {
   Random random(seed);
   Image<V3f> image(size, size);
@@ -130,7 +130,7 @@ TEST(Convert, OneTexelIsAPicture) {
   EXPECT_EQ(convert(Image<V3f>(1, 1, V3f(0.5f)), {}).colors.palette.classes.size(), 1u);
 }
 
-TEST(Convert, GreyPictureIsDividedByLightness) {
+TEST(Convert, GrayPictureIsDividedByLightness) {
   Image<V3f> image(64, 64);
   for (size_t i = 0; i < image.size(); ++i) image.data()[i] = V3f(static_cast<float>(i) / 4096.0f);
   const Conversion result = convert(image, {}, {.classes = 4});
@@ -140,7 +140,7 @@ TEST(Convert, GreyPictureIsDividedByLightness) {
   EXPECT_LT(result.error.p99_delta_e, 0.02);  // half a half-float step of v: 2^-6 for |v| ≥ 16
 }
 
-TEST(Convert, MoreClassesThanColoursNamesTheirNumber) {
+TEST(Convert, MoreClassesThanColorsNamesTheirNumber) {
   Image<V3f> image(8, 8, V3f(0.2f));
   image(3, 3) = V3f(0.4f, 0.1f, 0.1f);
   image(5, 1) = V3f(0.1f, 0.5f, 0.1f);
@@ -163,7 +163,7 @@ TEST(Convert, OptionsOutsideTheirRangeAreRefused) {
   EXPECT_THROW(convert(image, {}, {.along_weight = -1}), Error);
 }
 
-TEST(Convert, RareColourInALargePictureGetsItsClass) {
+TEST(Convert, RareColorInALargePictureGetsItsClass) {
   Image<V3f> image(700, 700, V3f(0.2f, 0.3f, 0.4f));  // more texels than are sampled
   image(123, 456) = V3f(0.8f, 0.1f, 0.1f);
   const Conversion result = convert(image, {}, {.classes = 2});
@@ -200,7 +200,7 @@ TEST(Convert, RotatingTheTorusRotatesTheIndex) {
   EXPECT_EQ(different, 0);  // the classes are far apart; rounding of sums cannot move a texel
 }
 
-TEST(Convert, HeightSeparatesTwoClassesOfEqualColour) {
+TEST(Convert, HeightSeparatesTwoClassesOfEqualColor) {
   const Image<V3f> image = blobs(64, {{{50, 10, 20, 0}, {1, 0, 0, 0}}}, 3, 1);
   Image<float> height(64, 64);
   for (int y = 0; y < 64; ++y)
@@ -209,13 +209,13 @@ TEST(Convert, HeightSeparatesTwoClassesOfEqualColour) {
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x)
       EXPECT_EQ(result.colors.index(x, y) == result.colors.index(0, 0), height(x, y) == height(0, 0));
-  // The stored palette has no height in it: two classes of the same colour, with unit directions.
+  // The stored palette has no height in it: two classes of the same color, with unit directions.
   const auto& classes = result.colors.palette.classes;
   EXPECT_LT((classes[0].dominant - classes[1].dominant).length(), 0.6f);
   for (const ColorClass& c : classes) EXPECT_NEAR(c.variation.length(), 1, 1e-6);
 }
 
-TEST(Convert, HeightsMakeEqualColoursDistinct) {
+TEST(Convert, HeightsMakeEqualColorsDistinct) {
   const Image<V3f> image(8, 8, V3f(0.3f));
   Image<float> height(8, 8);
   height(2, 2) = 1;

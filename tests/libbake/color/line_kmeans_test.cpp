@@ -184,7 +184,7 @@ TEST(LineKMeans, EmptyClassTakesTheWorstPoint) {
   EXPECT_EQ(result.lines[1].point, (PointF{90, 60, 0, 0}));
 }
 
-TEST(LineKMeans, EveryClassIsUsedWhenThereAreEnoughColours) {
+TEST(LineKMeans, EveryClassIsUsedWhenThereAreEnoughColors) {
   Random random(12);
   PointSet points;
   for (int i = 0; i < 500; ++i)
@@ -194,10 +194,10 @@ TEST(LineKMeans, EveryClassIsUsedWhenThereAreEnoughColours) {
     for (int k = 0; k < classes; ++k)
       EXPECT_GT(std::count(result.labels.begin(), result.labels.end(), k), 0) << classes << " " << k;
   }
-  EXPECT_NEAR(best_lines(points, 16, 0.1f).costs.back(), 0, 1e-6);  // one class for each of the sixteen colours
+  EXPECT_NEAR(best_lines(points, 16, 0.1f).costs.back(), 0, 1e-6);  // one class for each of the sixteen colors
 }
 
-TEST(LineKMeans, GreyPointsAreDividedByLightnessUnlessOnlyEquationOneCounts) {
+TEST(LineKMeans, GrayPointsAreDividedByLightnessUnlessOnlyEquationOneCounts) {
   PointSet points;
   for (int i = 0; i < 1000; ++i) points.append({0.1f * static_cast<float>(i), 0, 0, 0});
   const LineKMeansResult result = best_lines(points, 4, 0.1f);

@@ -29,15 +29,15 @@ TEST(Luv, WhiteIsHundredAndBlackIsZero) {
   EXPECT_EQ(linear_from_luv(V3f(0)), V3f(0));
 }
 
-TEST(Luv, GreysHaveNoChroma) {
-  for (const float grey : {1e-4f, 0.01f, 0.18f, 0.5f, 2.0f}) {
-    const V3f luv = luv_from_linear(V3f(grey));
+TEST(Luv, GraysHaveNoChroma) {
+  for (const float gray : {1e-4f, 0.01f, 0.18f, 0.5f, 2.0f}) {
+    const V3f luv = luv_from_linear(V3f(gray));
     EXPECT_NEAR(luv.y, 0, 1e-9f);  // double rounding only
     EXPECT_NEAR(luv.z, 0, 1e-9f);
   }
 }
 
-TEST(Luv, MiddleGreyIsTakenFromLinearLight) {
+TEST(Luv, MiddleGrayIsTakenFromLinearLight) {
   // 18.42 % reflects half the lightness: ((50 + 16) / 116)³.
   EXPECT_NEAR(luv_from_linear(V3f(0.18418651851f)).x, 50, 1e-4f);
 }
@@ -56,7 +56,7 @@ TEST(Luv, RoundTripsAboveOneAndBelowZero) {
     expect_near(linear_from_luv(luv_from_linear(c)), c, 1e-5f * 4);
 }
 
-TEST(Luv, ExtremeChromaOfADarkColourStaysFinite) {
+TEST(Luv, ExtremeChromaOfADarkColorStaysFinite) {
   const V3f c = linear_from_luv(V3f(1e-6f, 20, -30));
   EXPECT_TRUE(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z));
 }

@@ -17,7 +17,7 @@ PointSet random_points(int count, int dimension) {
   return points;
 }
 
-TEST(Octree, GivesAsManyDifferentColoursAsAsked) {
+TEST(Octree, GivesAsManyDifferentColorsAsAsked) {
   for (const int dimension : {3, 4}) {
     const PointSet points = random_points(3000, dimension);
     for (const int count : {1, 2, 3, 5, 8, 17, 64}) {
@@ -27,7 +27,7 @@ TEST(Octree, GivesAsManyDifferentColoursAsAsked) {
   }
 }
 
-TEST(Octree, KeepsColoursThatAreFewEnough) {
+TEST(Octree, KeepsColorsThatAreFewEnough) {
   const std::vector<PointF> colors{{10, 0, 0, 0}, {20, 30, 0, 0}, {90, 5, 40, 0}};
   PointSet points;
   for (int i = 0; i < 90; ++i) points.append(colors[static_cast<size_t>(i % 3)]);
@@ -35,7 +35,7 @@ TEST(Octree, KeepsColoursThatAreFewEnough) {
   EXPECT_THAT(octree_quantize(points, 10, 1), testing::UnorderedElementsAreArray(colors));
 }
 
-TEST(Octree, OneColourIsTheMeanOfAll) {
+TEST(Octree, OneColorIsTheMeanOfAll) {
   const PointSet points = point_set({{0, 0, 0, 0}, {10, 20, 30, 0}, {20, 40, 60, 0}, {90, 20, 30, 0}});
   const PointF mean = octree_quantize(points, 1, 0.25f).front();
   EXPECT_FLOAT_EQ(mean[0], 30);
@@ -65,7 +65,7 @@ TEST(Octree, OrderOfThePointsDoesNotMatter) {
     for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(forward[k][c], backward[k][c], 1e-4f);  // sums round differently
 }
 
-TEST(Octree, EqualPointsGiveOneColour) {
+TEST(Octree, EqualPointsGiveOneColor) {
   EXPECT_EQ(octree_quantize(point_set(std::vector<PointF>(50, {40, 3, 2, 0})), 4, 1),
             (std::vector<PointF>{{40, 3, 2, 0}}));
 }

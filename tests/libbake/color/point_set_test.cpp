@@ -9,7 +9,7 @@
 namespace texbake {
 namespace {
 
-// Every texel another colour.
+// Every texel another color.
 Image<V3f> ramp(int width, int height) {
   Image<V3f> image(width, height);
   for (size_t i = 0; i < image.size(); ++i) {

@@ -1,4 +1,4 @@
-// Synthetic colours with known classes, for the tests of clustering.
+// Synthetic colors with known classes, for the tests of clustering.
 #pragma once
 
 #include <vector>

@@ -97,7 +97,7 @@ TEST(BorderSteps, WhatIsNotExchangedIsHalfVisible) {
   for (size_t p = 0; p < 2; ++p) EXPECT_NEAR(steps.visibility(p, 0), 0.525, 0.011);  // 2 of 96 pairs
 }
 
-TEST(BorderSteps, WithoutNeighboursNothingIsVisible) {
+TEST(BorderSteps, WithoutNeighborsNothingIsVisible) {
   const Image<V3f> luv = grain(6);
   const Partition patches = twin::partition(Image<uint32_t>(kStepsSize, kStepsSize), 1);
   const std::vector<std::vector<Content>> contents(1, std::vector<Content>(2));

@@ -30,7 +30,7 @@ TEST(ClassDistances, AreSymmetricAndWithinHalfAStepOfTheSquaredDistance) {
   }
 }
 
-TEST(ClassDistances, ClassesOfOneColourAreAtNoDistance) {
+TEST(ClassDistances, ClassesOfOneColorAreAtNoDistance) {
   const V3f colors[] = {{50, 1, 2}, {50, 1, 2}};
   EXPECT_EQ(class_distances(colors).at(0, 1), 0);
 }

@@ -7,7 +7,7 @@
 namespace texbake {
 namespace {
 
-// Classes 0 and 2 of a palette of three, of one colour each, v constant but for a spot in class 2 that stands out.
+// Classes 0 and 2 of a palette of three, of one color each, v constant but for a spot in class 2 that stands out.
 struct ClassesFixture {
   ClassesFixture() : base(64, 64, V3f(0.2f, 0.3f, 0.1f)) {
     colors.palette.classes.resize(3);
@@ -28,7 +28,7 @@ struct ClassesFixture {
   Image<V3f> base;
 };
 
-TEST(ContentClasses, AreDominantColoursSplitBySaliencyWithoutEmptyOnes) {
+TEST(ContentClasses, AreDominantColorsSplitBySaliencyWithoutEmptyOnes) {
   const ClassesFixture f;
   const ContentClasses classes = content_classes(f.colors, f.base);
   ASSERT_EQ(classes.count(), 3);  // class 0, class 2, the salient part of class 2
@@ -38,7 +38,7 @@ TEST(ContentClasses, AreDominantColoursSplitBySaliencyWithoutEmptyOnes) {
   EXPECT_NEAR(classes.salient_share, 64.0 / 4096.0, 1e-12);
 }
 
-TEST(ContentClasses, HaveTheMeanColoursOfTheirTexels) {
+TEST(ContentClasses, HaveTheMeanColorsOfTheirTexels) {
   const ClassesFixture f;
   const ContentClasses classes = content_classes(f.colors, f.base);
   const V3f expected[] = {luv_from_linear(V3f(0.2f, 0.3f, 0.1f)), luv_from_linear(V3f(0.7f, 0.6f, 0.5f)),

@@ -26,7 +26,7 @@ TEST(Content, WhatIsOnlyMovedTakesTexelsAStepAway) {
 }
 
 TEST(Content, AppearsTurnedClockwiseAndSmaller) {
-  // A quarter of a turn, x towards y (down): what lies right of the centre of the source shows below that of the patch.
+  // A quarter of a turn, x towards y (down): what lies right of the center of the source shows below that of the patch.
   EXPECT_EQ(source_offset(make_content({0, 0}, 2, 1.0f), {0, 3}), V2i(3, 0));
   EXPECT_EQ(source_offset(make_content({0, 0}, 6, 1.0f), {0, 3}), V2i(-3, 0));
   EXPECT_EQ(source_offset(make_content({10, 20}, 4, 1.0f), {1, 3}), V2i(9, 17));

@@ -23,7 +23,7 @@ Image<T> digits(const std::string& text) {
   return image;
 }
 
-/// dil(∂P): texels at most two steps of a king from a texel of P that has a 4-neighbour outside P.
+/// dil(∂P): texels at most two steps of a king from a texel of P that has a 4-neighbor outside P.
 inline std::vector<V2i> dilated_border(ImageView<const uint32_t> patch_idx, uint32_t patch) {
   const V2i size(patch_idx.width(), patch_idx.height());
   const auto inside = [&](V2i p) { return patch_idx(wrap(p.x, size.x), wrap(p.y, size.y)) == patch; };
@@ -100,7 +100,7 @@ inline Candidates search(ImageView<const uint8_t> classes, const ClassDistances&
   return taken;
 }
 
-/// A partition of which only idx is known; with translations alone the centres do not matter.
+/// A partition of which only idx is known; with translations alone the centers do not matter.
 inline Partition partition(Image<uint32_t> idx, int count) {
   Partition patches;
   patches.idx = std::move(idx);
@@ -132,7 +132,7 @@ inline Image<uint8_t> random_classes(int width, int height, int class_count, uin
   return classes;
 }
 
-/// Mean colours of classes, far from each other and close.
+/// Mean colors of classes, far from each other and close.
 inline std::vector<V3f> random_colors(int class_count, uint64_t seed) {
   Random random(seed, 1);
   std::vector<V3f> colors;

@@ -60,7 +60,7 @@ TEST(PairImpact, IsTheMeanAndTheWorstOfAllPairs) {
 }
 
 TEST(PairImpact, SeesContentsThatAreTurned) {
-  // A class for each half of the plane, left and right of the patches' centres; half a turn swaps them. Patches of
+  // A class for each half of the plane, left and right of the patches' centers; half a turn swaps them. Patches of
   // 8 × 8 texels.
   Image<uint8_t> classes(32, 32);
   Image<uint32_t> squares(32, 32);

@@ -15,7 +15,7 @@ namespace {
 constexpr int kSelectedSize = 128;
 constexpr int kSelectedPatches = 9;
 
-// Blobs of four colours on a slow change of light, in nine square patches with wavy borders.
+// Blobs of four colors on a slow change of light, in nine square patches with wavy borders.
 struct SelectionFixture {
   SelectionFixture() : base(kSelectedSize, kSelectedSize) {
     colors.palette.classes.resize(4);

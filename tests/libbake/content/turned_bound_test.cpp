@@ -18,7 +18,7 @@ std::vector<BorderTexel> ring(ImageView<const uint8_t> classes, V2i center) {
   return border;
 }
 
-// Σ δ² for the content that brings texel `at` to the centre.
+// Σ δ² for the content that brings texel `at` to the center.
 double obvious_bound(ImageView<const uint8_t> classes, const ClassDistances& distances,
                      const std::vector<BorderTexel>& border, const Content& turn, V2i at) {
   double sum = 0.0;

@@ -112,7 +112,7 @@ TEST(TurnedSearch, FindsAPlantedCopyThatIsTurned) {
 
 TEST(TurnedSearch, FindsAPlantedCopyThatIsLarger) {
   // On a tile whose cells are larger than texels, a turned copy at twice the size, of all that the border of a patch of
-  // 60 × 60 texels sees: within 35 texels of its centre, of 70 around that of the copy.
+  // 60 × 60 texels sees: within 35 texels of its center, of 70 around that of the copy.
   TurnedTile tile(4, 300, 5);
   const V2i center = tile.patches.centers[12], size(300, 300);
   const Content planted = make_content({-148, 147}, 2, 0.5f);

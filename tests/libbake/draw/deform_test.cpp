@@ -74,7 +74,7 @@ TEST(Deform, PositionsAreTheProductRoundedDownWhereverTheAnchorLies) {
     const glsl::Position found = program.deformed_position(
         {{x.tile, y.tile}, {static_cast<int>(x.offset_256 >> 8), static_cast<int>(y.offset_256 >> 8)}});
 
-    // The matrix times the texel's centre in 1/65536, then down to 1/256.
+    // The matrix times the texel's center in 1/65536, then down to 1/256.
     const auto expected = [&](int row) {
       const int64_t a = deformation.matrix[2 * row], b = deformation.matrix[2 * row + 1];
       return (a * at[0] + b * at[1] + ((a + b) >> 1)) >> 8;

@@ -110,7 +110,7 @@ class LevelPainter {
   }
 
  private:
-  /// A patch, and in which repetition from the block's own its centre lies.
+  /// A patch, and in which repetition from the block's own its center lies.
   struct Shape {
     uint32_t patch;
     OwnerOffset owner;

@@ -13,7 +13,7 @@ namespace texbake {
 struct Painting {
   int64_t x0 = 0, y0 = 0;
   Image<V3f> color;
-  Image<V3f> structure;       ///< the colour without noise
+  Image<V3f> structure;       ///< the color without noise
   Image<Imath::V4f> weights;  ///< of the noises; zeros without
   Image<int> patch;           ///< −1 where nothing was painted
   Image<int> content;
@@ -86,7 +86,7 @@ class Painter {
     return (word / 4194304) ^ word;
   }
 
-  /// Every texel within half a tile of the centre that bears the patch's number is of this patch: a patch is smaller.
+  /// Every texel within half a tile of the center that bears the patch's number is of this patch: a patch is smaller.
   void paint_patch(Painting& painting, int64_t kx, int64_t ky, int patch) const {
     const V2i n = tile_.size();
     const V2i c = tile_.patches.partition.centers[static_cast<size_t>(patch)];
@@ -110,7 +110,7 @@ class Painter {
       }
   }
 
-  /// What the content shows of the masks: blended like colours, rounded down to 1/2048, and the first takes the rest.
+  /// What the content shows of the masks: blended like colors, rounded down to 1/2048, and the first takes the rest.
   Imath::V4f weights_of(const Content& content, V2i c, V2i d) const {
     Imath::V4f weights(0);
     if (tile_.masks.empty()) return weights;
@@ -161,7 +161,7 @@ class Painter {
     return wrap(c + content.translation + nearest, tile_.size());
   }
 
-  /// A plane of the tile, such as its base, at c + t + M d, blended between texel centres, the place rounded to 1/256
+  /// A plane of the tile, such as its base, at c + t + M d, blended between texel centers, the place rounded to 1/256
   /// texel.
   V3f content_color(const Image<V3f>& plane, const Content& content, V2i c, int dx, int dy) const {
     const double x = (double{1} * content.a * dx - double{1} * content.b * dy) / 65536;

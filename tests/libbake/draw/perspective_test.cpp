@@ -121,7 +121,7 @@ TEST(Perspective, TheIntegerLogarithmIsRight) {
   EXPECT_EQ(program.log2_256(8), 3 * 256);
 }
 
-/// Mean over the rows of |mean colour of the row − that of the truth|, and the mean distance of pixels.
+/// Mean over the rows of |mean color of the row − that of the truth|, and the mean distance of pixels.
 struct Error2 {
   double bias = 0, distance = 0;
 };

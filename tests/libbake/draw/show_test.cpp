@@ -37,12 +37,12 @@ TEST(Show, PatchesRepeatWithTheTileWhateverTheSeed) {
       << "one for each patch, one for borders";
 }
 
-TEST(Show, ContentsHaveOneColourEach) {
+TEST(Show, ContentsHaveOneColorEach) {
   const SmallTile tile = random_tile({32, 32}, 5, Contents::moved, 22);
   EXPECT_EQ(colors_of(show_rows(tile.planes(), show_window(), Show::contents, 0, 96)).size(), 1u + 5u);
 }
 
-TEST(Show, ColourIsTheRendering) {
+TEST(Show, ColorIsTheRendering) {
   const SmallTile tile = random_tile({32, 32}, 5, Contents::moved, 23);
   const EvaluatorPlanes planes = tile.planes();
   EXPECT_EQ(show_rows(planes, show_window(), Show::color, 0, 96), render_rows(planes, show_window(), 0, 96));

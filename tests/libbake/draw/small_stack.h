@@ -1,4 +1,4 @@
-// Small random scales with fragments and two colour classes, for the tests of stacks.
+// Small random scales with fragments and two color classes, for the tests of stacks.
 #pragma once
 
 #include <list>

@@ -53,7 +53,7 @@ TEST(SoftBorder, AcrossAStraightBorderWeightsChangeEvenly) {
   EXPECT_EQ(soft.weights[soft.cover.first_at(15, 9)], 0.75f);
   EXPECT_EQ(soft.weights[soft.cover.first_at(15, 9) + 1], 0.25f);
   EXPECT_EQ(soft.cover.at(14, 9).size(), 1u);
-  // Beyond the border of the tile the same patch is another: its centre lies a repetition away.
+  // Beyond the border of the tile the same patch is another: its center lies a repetition away.
   EXPECT_EQ(soft.cover.at(31, 9)[1], (glsl::PatchTexel{0, 6}));
   EXPECT_EQ(soft.cover.at(0, 9)[1], (glsl::PatchTexel{1, 4}));
 }

@@ -144,7 +144,7 @@ TEST(StackNoise, WithoutVariationThereIsNoGrain) {
 }
 
 TEST(StackNoise, GrainStaysWhereItIsSeen) {
-  // A flat structure on flat coarse colours: what is left is the noise, whatever contents and fragments show.
+  // A flat structure on flat coarse colors: what is left is the noise, whatever contents and fragments show.
   SmallStack stack = noisy_stack({.ratio = 4}, 1, Contents::turned, 0, 32, NoiseSpace::linear);
   for (ScaleTile& scale : stack.tiles)
     for (V3f& color : scale.tile.base) color = V3f(0.5f);
@@ -163,7 +163,7 @@ TEST(StackNoise, GrainStaysWhereItIsSeen) {
     }
 }
 
-TEST(StackNoise, TheMeanOverWholeTilesIsTheCoarseColour) {
+TEST(StackNoise, TheMeanOverWholeTilesIsTheCoarseColor) {
   // Rows of 16 texels under one noise of 16 values: each row has every value once.
   SmallStack stack;
   stack.add(random_scale({32, 32}, 3, Contents::moved, 84));

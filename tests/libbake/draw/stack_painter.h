@@ -1,6 +1,6 @@
-// The slow painter of several scales: paints each forward by itself, and adds the coarse colour at the centre of each
+// The slow painter of several scales: paints each forward by itself, and adds the coarse color at the center of each
 // fine fragment (CE13, eq. 5); blocks of texels by definition; and rays that meet the relief of the coarsest scale. For
-// colours that are passed by fragment.
+// colors that are passed by fragment.
 #pragma once
 
 #include <algorithm>
@@ -22,20 +22,20 @@ class StackPainter {
       const auto further = static_cast<uint64_t>(stack.tiles.size() - 1 - scales_.size());
       scales_.emplace_back(tile, *transfer++, static_cast<uint32_t>(uint64_t{seed} + further * 2654435769));
     }
-    // The share of a colour that is given is the finer scale's to say.
+    // The share of a color that is given is the finer scale's to say.
     for (size_t s = 0; s + 1 < scales_.size(); ++s) scales_[s].giving = scales_[s + 1].transfer.coarse_weights;
   }
 
   int finest() const { return static_cast<int>(scales_.size()) - 1; }
 
-  /// What a texel of a scale shows: its own colour, less the mean of its scale, and the coarse colour where the centre
+  /// What a texel of a scale shows: its own color, less the mean of its scale, and the coarse color where the center
   /// of its fragment lies, as far as the one takes and the other gives it. `variation` is the share that is left of its
   /// own.
   V3f texel(int scale, int64_t x, int64_t y, float variation) const {
     const ScaleData& data = scales_[static_cast<size_t>(scale)];
     const std::vector<Entry> entries = entries_at(data, x, y);
     if (entries.size() == 1 || scale == 0) return stacked(scale, x, y, variation).color;
-    // On a soft border every patch takes the colours of its own fragment, by its weight.
+    // On a soft border every patch takes the colors of its own fragment, by its weight.
     V3f taken(0);
     for (const Entry& entry : entries) {
       const Piece piece = piece_of(data, x, y, entry);
@@ -70,7 +70,7 @@ class StackPainter {
     return finer + (at_level(level_256 / 256 + 1) - finer) * (static_cast<float>(level_256 % 256) / 256);
   }
 
-  /// Block (x, y) of the finest scale: of its own colours the mean, patch by patch; and of the coarse ones what its
+  /// Block (x, y) of the finest scale: of its own colors the mean, patch by patch; and of the coarse ones what its
   /// fragments take, each by its share of the block.
   V3f block(int64_t x, int64_t y, int level, float variation) const {
     const int side = 1 << level;
@@ -141,20 +141,20 @@ class StackPainter {
     ScaleData(const ScaleData&) = delete;
   };
 
-  /// A colour, and the share of it that a finer scale gets.
+  /// A color, and the share of it that a finer scale gets.
   struct Passed {
     V3f color{0};
     float giving = 1;
   };
 
-  /// A patch whose centre lies in a repetition, and how much it counts at a texel.
+  /// A patch whose center lies in a repetition, and how much it counts at a texel.
   struct Entry {
     int patch;
     int64_t kx, ky;
     float weight;
   };
 
-  /// The part of a block that one fragment has: its centre in the infinite texture and in the tile, and its texels.
+  /// The part of a block that one fragment has: its center in the infinite texture and in the tile, and its texels.
   struct Piece {
     Imath::Vec2<int64_t> center;
     V2i middle;
@@ -222,7 +222,7 @@ class StackPainter {
     return V3f(sum / static_cast<double>(base.size()));
   }
 
-  /// What the coarser colour replaces where the texel `middle` of the tile shows.
+  /// What the coarser color replaces where the texel `middle` of the tile shows.
   static V3f mean_of(const ScaleData& scale, V2i middle, float variation) {
     const V3f all = varied(scale.mean_of_dominants, scale.mean_of_all, variation);
     if (scale.transfer.detail_mean == DetailMean::tile) return all;
@@ -256,7 +256,7 @@ class StackPainter {
     return entries;
   }
 
-  /// The patch of a texel, and the repetition of its centre.
+  /// The patch of a texel, and the repetition of its center.
   static Entry owner_of(const ScaleData& scale, int64_t x, int64_t y) {
     const Partition& patches = scale.tile.tile.patches.partition;
     const V2i n = scale.tile.tile.size();
@@ -311,7 +311,7 @@ class StackPainter {
     return scale.painter.content_color(plane, content_of(scale, entry), c, d.x, d.y);
   }
 
-  /// Where the fragment has its centre that a patch shows at a texel: a turned content turns it back, by integers.
+  /// Where the fragment has its center that a patch shows at a texel: a turned content turns it back, by integers.
   static Piece piece_of(const ScaleData& scale, int64_t x, int64_t y, const Entry& entry) {
     const V2i n = scale.tile.tile.size(), d = way_from(scale, x, y, entry);
     const V2i c = scale.tile.tile.patches.partition.centers[static_cast<size_t>(entry.patch)];

@@ -79,7 +79,7 @@ TEST(StackSoftBorder, WhereAllContentsAreTheSameNothingChanges) {
 
 /// A flat fine scale shows what its patches take, each by its weight: every entry's fragment by the hard painter's
 /// rules.
-TEST(StackSoftBorder, PatchesTakeCoarseColoursByTheirWeights) {
+TEST(StackSoftBorder, PatchesTakeCoarseColorsByTheirWeights) {
   SmallStack stack;
   stack.add(random_scale({32, 32}, 1, Contents::moved, 25));
   ScaleTile fine = random_scale({32, 32}, 3, Contents::moved, 26);
@@ -139,12 +139,12 @@ TEST(StackSoftBorder, DetailKeepsItsVariance) {
   EXPECT_NEAR(variance(prepare_stack(soft_scales(stack, 4))) / variance(stack.planes()), 1, 0.05);
 }
 
-TEST(StackSoftBorder, APassedColourWithoutVariationIsTheDominantOne) {
+TEST(StackSoftBorder, APassedColorWithoutVariationIsTheDominantOne) {
   SmallStack stack = two_scales({.ratio = 5, .variation = VariationFrom::fine});
   for (ScaleTile& tile : stack.tiles) tile.colors.palette.classes[1] = tile.colors.palette.classes[0];
   const StackPlanes soft = prepare_stack(soft_scales(stack));
   const V3f dominant = linear_from_luv(stack.tiles.front().colors.palette.classes[0].dominant);
-  // One class: every coarse texel passes the same colour, soft or hard.
+  // One class: every coarse texel passes the same color, soft or hard.
   glsl::Program program = program_of(soft, 3, {0, 0});
   for (int x = 0; x < 32; ++x) {
     const glsl::vec4 passed = program.stacked_texel(0, {{0, 0}, {x, 7}}, 0);

@@ -39,7 +39,7 @@ TEST(StackWindow, NearTheFinestScaleShowsAloneAndFarTheCoarsest) {
   EXPECT_EQ(view(1).variation, 1);
   EXPECT_NEAR(view(2).fading, 1.0 / 3, 1e-6);
   EXPECT_NEAR(view(2).variation, 1.0 / 3, 1e-6);
-  EXPECT_EQ(view(4).variation, 0);  // gone before the dominant colour
+  EXPECT_EQ(view(4).variation, 0);  // gone before the dominant color
   EXPECT_LT(view(4).fading, 1);
   EXPECT_EQ(view(8).scale, 0);
   EXPECT_EQ(view(8).fading, 0);

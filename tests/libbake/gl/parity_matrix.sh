@@ -1,5 +1,5 @@
 #!/bin/bash
-# The reference text gives the GPU's bits with each compiler at each level of optimisation; and the comparison turns red
+# The reference text gives the GPU's bits with each compiler at each level of optimization; and the comparison turns red
 # when the text, the words of glsl.h or the floating-point contract are bent.
 # usage: parity_matrix.sh SOURCE_DIR PARITY_POINTS_GL WORK_DIR
 set -u

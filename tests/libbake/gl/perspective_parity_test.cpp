@@ -16,9 +16,9 @@ namespace {
 TEST(PerspectiveParity, TheShaderSeesTheSamePlane) {
   SmallTile tile = random_tile({64, 128}, 5, Contents::turned, 11);
   add_noise(tile, 3, 32, 11);
-  const Image<float> grey(64, 128, 0.25f);
+  const Image<float> gray(64, 128, 0.25f);
   EvaluatorInput input = tile.input();
-  input.maps.push_back({"height", MapKind::height, {grey}});
+  input.maps.push_back({"height", MapKind::height, {gray}});
   EvaluatorPlanes planes = prepare(input);
   for (const ShaderLanguage language : {ShaderLanguage::glsl_330, ShaderLanguage::glsl_300_es}) {
     const auto context = test_context(language);

@@ -24,13 +24,13 @@ class StackParity : public testing::TestWithParam<ShaderLanguage> {
   std::unique_ptr<GlContext> context_;
 };
 
-TEST_P(StackParity, ColoursOfFragmentsDifferInNoBit) { expect_equal(two_scales({.ratio = 5}, Contents::turned)); }
+TEST_P(StackParity, ColorsOfFragmentsDifferInNoBit) { expect_equal(two_scales({.ratio = 5}, Contents::turned)); }
 
-TEST_P(StackParity, ColoursOfTexelsDifferInNoBit) {
+TEST_P(StackParity, ColorsOfTexelsDifferInNoBit) {
   expect_equal(two_scales({.ratio = 16, .mode = TransferMode::texel, .detail_mean = DetailMean::local}));
 }
 
-TEST_P(StackParity, SoftlyTakenColoursDifferInNoBit) {
+TEST_P(StackParity, SoftlyTakenColorsDifferInNoBit) {
   expect_equal(two_scales({.ratio = 7, .mode = TransferMode::bilinear}));
 }
 

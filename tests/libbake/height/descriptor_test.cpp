@@ -43,7 +43,7 @@ TEST(Descriptor, TurningTheDescriptorTurnsThePicture) {
   // A wave turned by π/8 is described, at its middle, as the turned description of the wave.
   const double turn = M_PI / 8;
   const V2i middle(48, 48);
-  const auto centred = [&](double angle) {
+  const auto centerd = [&](double angle) {
     Image<float> image(96, 96);
     for (int y = 0; y < 96; ++y)
       for (int x = 0; x < 96; ++x)
@@ -51,13 +51,13 @@ TEST(Descriptor, TurningTheDescriptorTurnsThePicture) {
             std::sin(0.35 * ((x - middle.x) * std::cos(angle) + (y - middle.y) * std::sin(angle)) + 0.4));
     return of_one_class(std::move(image));
   };
-  const Descriptor straight = ClassGradients(centred(0.0), 0).at(middle);
-  const Descriptor turned_picture = ClassGradients(centred(turn), 0).at(middle);
-  const Descriptor turned_descriptor = ClassGradients(centred(0.0), 0).turned(middle, turn);
+  const Descriptor straight = ClassGradients(centerd(0.0), 0).at(middle);
+  const Descriptor turned_picture = ClassGradients(centerd(turn), 0).at(middle);
+  const Descriptor turned_descriptor = ClassGradients(centerd(0.0), 0).turned(middle, turn);
   const float apart = descriptor_distance(straight.data(), turned_picture.data());
   // Bilinear reading and central differences of an 18-texel wave lose up to (0.35 / 2)² · 2 = 6 %.
   EXPECT_LT(descriptor_distance(turned_descriptor.data(), turned_picture.data()), 0.06f * apart);
-  const Descriptor wrong_way = ClassGradients(centred(0.0), 0).turned(middle, -turn);
+  const Descriptor wrong_way = ClassGradients(centerd(0.0), 0).turned(middle, -turn);
   EXPECT_GT(descriptor_distance(wrong_way.data(), turned_picture.data()), 1.5f * apart);
 }
 

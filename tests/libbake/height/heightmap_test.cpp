@@ -12,7 +12,7 @@
 namespace texbake {
 namespace {
 
-// Shades of grey about L = 50: the variation is the difference in L.
+// Shades of gray about L = 50: the variation is the difference in L.
 PrincipalVariation one_class(const Image<float>& variation) {
   PrincipalVariation colors;
   colors.palette.classes = {{V3f(50, 0, 0), V3f(1, 0, 0)}};

@@ -80,7 +80,7 @@ TEST(Refine, NoSmallChangeMakesTheSumLess) {
   }
 }
 
-TEST(Refine, SmoothsAnEvenSurfaceAndKeepsTheEdgesOfItsColours) {
+TEST(Refine, SmoothsAnEvenSurfaceAndKeepsTheEdgesOfItsColors) {
   // Two halves 40 ΔE apart, 0.2 and 0.8 high under noise of 0.2.
   Image<float> heights = noise(9);
   Image<V3f> luv(kRefinedSide, kRefinedSide);

@@ -11,7 +11,7 @@
 namespace texbake {
 namespace {
 
-/// Two coloured noises on a flat structure, each in half of the texels.
+/// Two colored noises on a flat structure, each in half of the texels.
 struct MaskedField {
   explicit MaskedField(int size)
       : exemplar(size, size),
@@ -73,7 +73,7 @@ TEST(EstimatePsd, TilesHaveTheMeanVarianceAndSpectrumOfTheModel) {
   }
 }
 
-TEST(EstimatePsd, EqualisationKeepsVarianceAndGivesTheHistogram) {
+TEST(EstimatePsd, EqualizationKeepsVarianceAndGivesTheHistogram) {
   // A noise of two values only, as far from Gaussian as can be.
   MaskedField field(128);
   for (size_t i = 0; i < field.exemplar.size(); ++i)

@@ -24,7 +24,7 @@ TEST(KMeans, FindsCloudsThatLieApart) {
   EXPECT_EQ((std::set<int>{found.label[0], found.label[1], found.label[2]}), (std::set<int>{0, 1, 2}));
 }
 
-TEST(KMeans, CentresAreMeansAndVectorsAreNearest) {
+TEST(KMeans, CentersAreMeansAndVectorsAreNearest) {
   const Vectors vectors = three_clouds();
   const Clustering found = k_means(vectors, {.clusters = 4, .seed = 5});
   for (int k = 0; k < 4; ++k) {
@@ -36,12 +36,12 @@ TEST(KMeans, CentresAreMeansAndVectorsAreNearest) {
         ++count;
       }
     ASSERT_GT(count, 0);
-    EXPECT_NEAR(found.centres.row(k)[1], sum / count, 1e-5);
+    EXPECT_NEAR(found.centers.row(k)[1], sum / count, 1e-5);
   }
   for (int i = 0; i < vectors.count(); ++i)
     for (int k = 0; k < 4; ++k)
-      EXPECT_LE(squared_distance(vectors.row(i), found.centres.row(found.label[size_t(i)]), vectors.stride()),
-                squared_distance(vectors.row(i), found.centres.row(k), vectors.stride()));
+      EXPECT_LE(squared_distance(vectors.row(i), found.centers.row(found.label[size_t(i)]), vectors.stride()),
+                squared_distance(vectors.row(i), found.centers.row(k), vectors.stride()));
 }
 
 TEST(KMeans, IsTheSameEveryTime) {

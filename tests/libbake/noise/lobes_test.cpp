@@ -13,8 +13,8 @@ TEST(FitLobes, FindsTheLobesThatMadeATable) {
   EXPECT_LT(fit.error, 0.03);
   ASSERT_EQ(fit.lobes.size(), 2u);
   EXPECT_NEAR(fit.lobes[0].power, 0.7, 0.05);
-  EXPECT_NEAR(fit.lobes[0].centre_x_cpp, 0.2, 0.01);
-  EXPECT_NEAR(fit.lobes[0].centre_y_cpp, 0.1, 0.01);
+  EXPECT_NEAR(fit.lobes[0].center_x_cpp, 0.2, 0.01);
+  EXPECT_NEAR(fit.lobes[0].center_y_cpp, 0.1, 0.01);
 }
 
 TEST(FitLobes, ABlobIsOneLobeAndZeroIsNone) {

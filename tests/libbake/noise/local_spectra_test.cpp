@@ -22,7 +22,7 @@ double slow_spectrum(const Image<float>& image, int size, int x, int y, int u, i
   double power = 0.0;
   for (int sy = -size; sy <= 1; ++sy)
     for (int sx = -size; sx <= 1; ++sx) {
-      // T + 1 origins, centred on the texel: the outermost of T + 2 count half.
+      // T + 1 origins, centered on the texel: the outermost of T + 2 count half.
       const double share = (sx == -size || sx == 1 ? 0.5 : 1.0) * (sy == -size || sy == 1 ? 0.5 : 1.0);
       std::complex<double> sum = 0.0;
       for (int b = 0; b < size; ++b)

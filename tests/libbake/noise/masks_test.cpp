@@ -8,23 +8,23 @@
 namespace texbake {
 namespace {
 
-TEST(QuantiseWeights, SumToOneByTheLargestRemainder) {
+TEST(QuantizeWeights, SumToOneByTheLargestRemainder) {
   const double thirds[] = {1.0, 1.0, 1.0};
-  float quantised[3];
-  quantise_weights(thirds, quantised);
+  float quantized[3];
+  quantize_weights(thirds, quantized);
   // 2048 / 3 = 682 and 2/3: two of three equal remainders are rounded up, the first ones.
-  EXPECT_EQ(quantised[0], 683.0f / 2048);
-  EXPECT_EQ(quantised[1], 683.0f / 2048);
-  EXPECT_EQ(quantised[2], 682.0f / 2048);
+  EXPECT_EQ(quantized[0], 683.0f / 2048);
+  EXPECT_EQ(quantized[1], 683.0f / 2048);
+  EXPECT_EQ(quantized[2], 682.0f / 2048);
 }
 
-TEST(QuantiseWeights, KeepsWhatIsExact) {
+TEST(QuantizeWeights, KeepsWhatIsExact) {
   const double weights[] = {3.0, 0.0, 1.0};
-  float quantised[3];
-  quantise_weights(weights, quantised);
-  EXPECT_EQ(quantised[0], 0.75f);
-  EXPECT_EQ(quantised[1], 0.0f);
-  EXPECT_EQ(quantised[2], 0.25f);
+  float quantized[3];
+  quantize_weights(weights, quantized);
+  EXPECT_EQ(quantized[0], 0.75f);
+  EXPECT_EQ(quantized[1], 0.0f);
+  EXPECT_EQ(quantized[2], 0.25f);
 }
 
 /// A field of two grains of the same brightness, ring noise in the middle, and its features.
@@ -44,7 +44,7 @@ struct TwoGrains {
   Image<float> light;
 };
 
-TEST(Masks, AreConvexAndQuantised) {
+TEST(Masks, AreConvexAndQuantized) {
   const TwoGrains field(64);
   const LocalSpectra spectra(field.light, 4);
   const GrainFeatures features(field.image, spectra, 1.0);
@@ -57,10 +57,10 @@ TEST(Masks, SoftOnesLeanWhereBinaryOnesFall) {
   const TwoGrains field(64);
   const LocalSpectra spectra(field.light, 8);
   const GrainFeatures features(field.image, spectra, 1.0);
-  const Vectors centres = cluster_grain(features, 2, 1);
-  const auto binary = assign_masks(features, centres, MaskKind::binary);
-  const auto soft = assign_masks(features, centres, MaskKind::soft);
-  // Binary borders lie at 0.35 … 0.65 of the way between the centres, where 1/d² gives weights of 0.22 … 0.78.
+  const Vectors centers = cluster_grain(features, 2, 1);
+  const auto binary = assign_masks(features, centers, MaskKind::binary);
+  const auto soft = assign_masks(features, centers, MaskKind::soft);
+  // Binary borders lie at 0.35 … 0.65 of the way between the centers, where 1/d² gives weights of 0.22 … 0.78.
   for (size_t i = 0; i < field.image.size(); ++i) {
     if (soft[0].data()[i] > 0.78f) {
       EXPECT_EQ(binary[0].data()[i], 1.0f);
@@ -72,7 +72,7 @@ TEST(Masks, SoftOnesLeanWhereBinaryOnesFall) {
 }
 
 TEST(Masks, ABorderLiesWhereBothNoisesHaveHalfOfThePower) {
-  // White grain of two strengths, side by side, without colour to help: the weak side must not lose texels to the
+  // White grain of two strengths, side by side, without color to help: the weak side must not lose texels to the
   // strong one, whose power leaks into its windows.
   const Image<float> grain = white_noise(128, 3);
   Image<V3f> image(128, 128);
@@ -84,12 +84,12 @@ TEST(Masks, ABorderLiesWhereBothNoisesHaveHalfOfThePower) {
   const auto masks = assign_masks(features, cluster_grain(features, 2, 1), MaskKind::binary);
   double weak = 0.0;
   for (size_t i = 0; i < image.size(); ++i) weak += double(masks[masks[0](32, 64) > 0.5f ? 0 : 1].data()[i]);
-  // Two borders of 128 texels: the nearest centre misses by 5 texels on each, this by less than 4.
+  // Two borders of 128 texels: the nearest center misses by 5 texels on each, this by less than 4.
   EXPECT_GT(weak, 128 * (64 - 8));
 }
 
 TEST(Masks, AreNotFooledByBrightness) {
-  // One grain, two levels: spectra are alike but for frequency 0. With little weight on colour, the masks follow the
+  // One grain, two levels: spectra are alike but for frequency 0. With little weight on color, the masks follow the
   // grain of a second pair of regions instead.
   TwoGrains field(128);
   for (int y = 0; y < 128; ++y)

@@ -39,7 +39,7 @@ TEST(NoiseLattice, IsSeamlessEverywhere) {
     const auto next = [&](uint32_t index, int by) {
       return (index + static_cast<uint32_t>(by)) & static_cast<uint32_t>(lattice.count - 1);
     };
-    // Neighbours are neighbours across 2^32, where coordinates wrap, as everywhere.
+    // Neighbors are neighbors across 2^32, where coordinates wrap, as everywhere.
     for (const uint32_t x : {0u, 17u, 0x7fffffffu, 0xffffffffu})
       for (const uint32_t y : {0u, 5u, 0x7fffffffu, 0xffffffffu}) {
         EXPECT_EQ(lattice.index(x + 1, y), next(lattice.index(x, y), 1));

@@ -129,10 +129,10 @@ TEST(LatticeSpectrum, KeepsPowerAndShape) {
   const Image<float> large = lattice_spectrum(small, lattice);
   EXPECT_NEAR(power_of(large), 0.5, 1e-5);
   EXPECT_LE(power_error(large, true_spectrum(blob_power, lattice, 0.5)),
-            0.1);  // the peak at 0 is the mean of its neighbours
+            0.1);  // the peak at 0 is the mean of its neighbors
 }
 
-/// The autocovariance at a lag within ±T/2, by definition; the power at 0 is the mean of its neighbours'.
+/// The autocovariance at a lag within ±T/2, by definition; the power at 0 is the mean of its neighbors'.
 double lag_product(const Image<float>& spectrum, int x, int y) {
   const int size = spectrum.width();
   const auto power = [&](int u, int v) { return double(spectrum(u, v)) * double(spectrum(u, v)); };

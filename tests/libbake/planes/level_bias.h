@@ -12,7 +12,7 @@
 
 namespace texbake {
 
-/// Differences of blocks from the box means of their texels, over all blocks and colour channels, in units of the
+/// Differences of blocks from the box means of their texels, over all blocks and color channels, in units of the
 /// values.
 struct LevelError {
   double signed_mean = 0;  ///< below 0: darker
@@ -23,7 +23,7 @@ struct LevelError {
 struct LevelBias {
   int level = 1;
   LevelError unbiased;   ///< shares of patches, as add_levels makes them
-  LevelError cheap;      ///< box means of the tile, read where the content of a block's centre says
+  LevelError cheap;      ///< box means of the tile, read where the content of a block's center says
   LevelError truncated;  ///< box means of box means, each rounded down to a 255th, as 8-bit mip chains are made
 };
 
@@ -36,7 +36,7 @@ using Imath::V3d;
 
 inline V3d color_of(const vec4& v) { return {double{v.x}, double{v.y}, double{v.z}}; }
 
-/// Means of 2 × 2 neighbours; an odd last row or column is left out.
+/// Means of 2 × 2 neighbors; an odd last row or column is left out.
 inline Image<Imath::V3d> halved(const Image<Imath::V3d>& finer) {
   Image<Imath::V3d> coarser(finer.width() / 2, finer.height() / 2);
   for (int y = 0; y < coarser.height(); ++y)
@@ -104,7 +104,7 @@ class Reader {
     return color_of(program_.block_value(texels_, kind_, levels_, block, program_.grid_of(level)));
   }
 
-  /// The tile's own box mean, between the four nearest, where the content of the block's centre is taken from.
+  /// The tile's own box mean, between the four nearest, where the content of the block's center is taken from.
   V3d cheap(const Texel& block, int level) {
     const int half = (1 << level) / 2;
     const glsl::Source source =

@@ -21,7 +21,7 @@ TEST(LevelBias, EveryLevelIsUnbiasedWhereTheUsualOnesAreNot) {
     // 8-bit truncation loses 3/8 of a 255th with each mean of four codes, half of one when the texels become codes.
     EXPECT_NEAR(bias.truncated.signed_mean * 255, -0.5 - 0.375 * bias.level, 0.15);
   }
-  // Contents of white noise are independent: where a block's centre alone decides, other texels count.
+  // Contents of white noise are independent: where a block's center alone decides, other texels count.
   EXPECT_GT(biases[3].cheap.mean, 0.01);
 }
 

@@ -44,15 +44,15 @@ TEST(Prepare, ATableThatDoesNotFitIsBadData) {
 
 TEST(Prepare, MapsKeepTheirChannelsAndNormalsNeedThree) {
   const Image<V3f> base = random_base({8, 8}, 1);
-  const Image<float> grey(8, 8, 0.25f), wrong(8, 4);
+  const Image<float> gray(8, 8, 0.25f), wrong(8, 4);
   EvaluatorInput input;
   input.base = base;
-  input.maps.push_back({"roughness", MapKind::plain, {grey}});
+  input.maps.push_back({"roughness", MapKind::plain, {gray}});
   const EvaluatorPlanes planes = prepare(input);
   ASSERT_NE(planes.map("roughness"), nullptr);
   EXPECT_EQ(planes.map("roughness")->texels(7, 7), glsl::vec4(0.25f, 0, 0, 0));
   EXPECT_EQ(planes.map("normal"), nullptr);
-  input.maps.push_back({"normal", MapKind::normal_opengl, {grey}});
+  input.maps.push_back({"normal", MapKind::normal_opengl, {gray}});
   EXPECT_THROW(prepare(input), Error);
   input.maps.back() = {"height", MapKind::height, {wrong}};
   EXPECT_THROW(prepare(input), Error);

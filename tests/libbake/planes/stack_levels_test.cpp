@@ -107,8 +107,8 @@ TEST(StackLevels, ABlockWithSoftBordersIsTheMeanOfItsTexels) {
       EXPECT_LT(difference_at(planes, 1, level, variation).worst, kRounded) << level << " " << variation;
 }
 
-TEST(StackLevels, ABlockThatTexelsColourIsTheMeanOfThemByParts) {
-  // Coarse texels count by 1/256 of a block on each axis; colours differ by 8 at most.
+TEST(StackLevels, ABlockThatTexelsColorIsTheMeanOfThemByParts) {
+  // Coarse texels count by 1/256 of a block on each axis; colors differ by 8 at most.
   for (const int ratio : {16, 5}) {
     const StackPlanes planes = leveled(two_scales({.ratio = ratio, .mode = TransferMode::texel}));
     for (int level = 1; level <= planes.level_count(1); ++level)
@@ -116,7 +116,7 @@ TEST(StackLevels, ABlockThatTexelsColourIsTheMeanOfThemByParts) {
   }
 }
 
-/// Natural colours, 0 … 1, in a coarse picture that changes smoothly, without contents, and a fine one that does not.
+/// Natural colors, 0 … 1, in a coarse picture that changes smoothly, without contents, and a fine one that does not.
 SmallStack natural_stack(TransferMode mode) {
   SmallStack stack;
   ScaleTile coarse = random_scale({64, 64}, 1, Contents::moved, 31),
@@ -139,7 +139,7 @@ TEST(StackLevels, NoTransferDarkensOrLightens) {
     for (int level = 1; level <= 4; ++level) {
       const Difference found = difference_at(planes, 1, level, 1, 64);
       for (int c = 0; c < 3; ++c) EXPECT_LT(std::abs(found.bias[c]), 0.5 / 255) << enum_name(mode) << " " << level;
-      // Between coarse texels a block takes what its centre does: off by the curvature within it alone.
+      // Between coarse texels a block takes what its center does: off by the curvature within it alone.
       if (mode != TransferMode::bilinear) continue;
       EXPECT_LT(found.worst, 4.0 / 255) << level;
     }
@@ -171,7 +171,7 @@ TEST(StackLevels, FadingEndsAtTheCoarserScale) {
   const Image<V3f> before = render_stack_rows(planes, window, 0, 32);
   window.step_256 = 16 * 256;
   const Image<V3f> after = render_stack_rows(planes, window, 0, 32);
-  // A step of 1/4096 moves the last pixel by 1/128 coarse texel, whose colours differ by 0.25 from one to the next.
+  // A step of 1/4096 moves the last pixel by 1/128 coarse texel, whose colors differ by 0.25 from one to the next.
   for (size_t i = 0; i < after.size(); ++i) EXPECT_LT((before.data()[i] - after.data()[i]).length(), 0.002) << i;
 }
 

@@ -40,7 +40,7 @@ glsl::uvec2 near(int64_t x, int64_t y, V2i size) { return texel_of(x, y, size).t
 constexpr std::pair<int64_t, int64_t> kPlaces[] = {
     {0, 0}, {-40, -70}, {123456789, -987654321}, {-30000000000, 30000000000}};
 
-TEST(StackPlanes, ATexelTakesTheColourOfTheCoarseTexelThatHoldsIt) {
+TEST(StackPlanes, ATexelTakesTheColorOfTheCoarseTexelThatHoldsIt) {
   const StackPlanes planes = two_scales({.ratio = 5, .mode = TransferMode::texel}).planes();
   for (const auto& [x0, y0] : kPlaces) {
     Program program = program_of(planes, 7, near(x0, y0, planes.sizes[1]));
@@ -54,7 +54,7 @@ TEST(StackPlanes, ATexelTakesTheColourOfTheCoarseTexelThatHoldsIt) {
   }
 }
 
-TEST(StackPlanes, AFragmentTakesTheColourAtItsCentre) {
+TEST(StackPlanes, AFragmentTakesTheColorAtItsCenter) {
   const SmallStack stack = two_scales({.ratio = 3});
   const StackPlanes planes = stack.planes();
   const ScaleTile& fine_tile = stack.tiles.back();
@@ -66,7 +66,7 @@ TEST(StackPlanes, AFragmentTakesTheColourAtItsCentre) {
       for (int64_t x = x0 - 20; x < x0 + 20; ++x) {
         const Texel fine = texel_of(x, y, size);
         program.use_scale(1);
-        // Moved contents keep offsets: the centre lies as far away as in the tile.
+        // Moved contents keep offsets: the center lies as far away as in the tile.
         const glsl::ivec2 source = program.texel_source(fine).nearest;
         const uint32_t idx = fragments.idx(source.x, source.y);
         const OwnerOffset owner = fragments.owner(source.x, source.y);
@@ -78,7 +78,7 @@ TEST(StackPlanes, AFragmentTakesTheColourAtItsCentre) {
   }
 }
 
-TEST(StackPlanes, AFragmentKeepsOneColourInsideTurnedContents) {
+TEST(StackPlanes, AFragmentKeepsOneColorInsideTurnedContents) {
   // Patches of 16 texels show less than the tile at half their size: each fragment is in a content once.
   SmallStack stack;
   stack.add(random_scale({32, 32}, 3, Contents::moved, 4));
@@ -99,15 +99,15 @@ TEST(StackPlanes, AFragmentKeepsOneColourInsideTurnedContents) {
       const auto key = std::make_tuple(decision.patch_idx, at.tile.x + static_cast<uint32_t>(decision.owner.x),
                                        at.tile.y + static_cast<uint32_t>(decision.owner.y),
                                        fragments.idx(source.nearest.x, source.nearest.y));
-      Texel centre = shown.anchor;  // in the frame of tile (0, 0)
-      centre.p = {centre.p.x + static_cast<int>(at.tile.x) * 64, centre.p.y + static_cast<int>(at.tile.y) * 64};
-      const auto [known, fresh] = anchors.try_emplace(key, centre);
-      EXPECT_TRUE(fresh || (known->second.p.x == centre.p.x && known->second.p.y == centre.p.y)) << x << " " << y;
+      Texel center = shown.anchor;  // in the frame of tile (0, 0)
+      center.p = {center.p.x + static_cast<int>(at.tile.x) * 64, center.p.y + static_cast<int>(at.tile.y) * 64};
+      const auto [known, fresh] = anchors.try_emplace(key, center);
+      EXPECT_TRUE(fresh || (known->second.p.x == center.p.x && known->second.p.y == center.p.y)) << x << " " << y;
     }
   EXPECT_GT(turned, 5000);
 }
 
-TEST(StackPlanes, InATurnedContentTheCentreIsWhereItsTexelShows) {
+TEST(StackPlanes, InATurnedContentTheCenterIsWhereItsTexelShows) {
   const SmallStack stack = two_scales({.ratio = 3}, Contents::turned, 4);
   const StackPlanes planes = stack.planes();
   const Partition& fragments = stack.tiles.back().fragments.partition;
@@ -120,9 +120,9 @@ TEST(StackPlanes, InATurnedContentTheCentreIsWhereItsTexelShows) {
       const Texel at = texel_of(x, y, size);
       const glsl::Decision decision = program.decide(at);
       const glsl::Source source = program.source_of(at, decision);
-      const V2i centre = fragments.centers[fragments.idx(source.nearest.x, source.nearest.y)];
-      if (V2i(source.nearest.x, source.nearest.y) != centre) continue;
-      // The texel that shows the centre is less than a texel from where the centre is said to be: one texel of the tile
+      const V2i center = fragments.centers[fragments.idx(source.nearest.x, source.nearest.y)];
+      if (V2i(source.nearest.x, source.nearest.y) != center) continue;
+      // The texel that shows the center is less than a texel from where the center is said to be: one texel of the tile
       // is at most one texel of the texture (lambda <= 1).
       const Program::Shown shown = program.shown_texel(1, at, 1);
       EXPECT_LE(std::abs(shown.anchor.p.x - at.p.x), 1);
@@ -132,7 +132,7 @@ TEST(StackPlanes, InATurnedContentTheCentreIsWhereItsTexelShows) {
   EXPECT_GT(checked, 20);
 }
 
-TEST(StackPlanes, TheMeanOverWholeTilesIsTheCoarseColour) {
+TEST(StackPlanes, TheMeanOverWholeTilesIsTheCoarseColor) {
   SmallStack stack;
   stack.add(random_scale({32, 32}, 3, Contents::moved, 1));
   ScaleTile fine = random_scale({16, 16}, 1, Contents::moved, 2);
@@ -142,7 +142,7 @@ TEST(StackPlanes, TheMeanOverWholeTilesIsTheCoarseColour) {
   EXPECT_EQ(error.coarse_texels, 64);
 }
 
-TEST(StackPlanes, TheLocalMeanKeepsTheCoarseColourBetterThanTheTiles) {
+TEST(StackPlanes, TheLocalMeanKeepsTheCoarseColorBetterThanTheTiles) {
   const auto rms = [](DetailMean mean) {
     SmallStack stack;
     stack.add(random_scale({32, 32}, 3, Contents::moved, 1));
@@ -186,7 +186,7 @@ TEST(StackPlanes, RelativeDetailIsInProportionToTheCoarsestScale) {
   const SmallTile& fine = relative.tiles.back().tile;
   Imath::V3d mean(0);
   for (const V3f& color : fine.base) mean += Imath::V3d(color) / 256.0;
-  // A flat coarse colour, times the fine one in proportion to its mean.
+  // A flat coarse color, times the fine one in proportion to its mean.
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x) {
       const Texel at = texel_of(x, y, {16, 16});
@@ -242,7 +242,7 @@ TEST(StackPlanes, ThreeScalesAreTwoStepsOfEquation5) {
     }
 }
 
-TEST(StackPlanes, AClassThatTakesNothingKeepsItsColour) {
+TEST(StackPlanes, AClassThatTakesNothingKeepsItsColor) {
   const SmallStack stack = two_scales({.ratio = 3, .weights = {0, 1}});
   const StackPlanes planes = stack.planes();
   Program program = program_of(planes, 1, {0, 0});
@@ -260,7 +260,7 @@ TEST(StackPlanes, AClassThatTakesNothingKeepsItsColour) {
   EXPECT_GT(kept, 100);
 }
 
-TEST(StackPlanes, WithoutVariationAScaleIsItsDominantColours) {
+TEST(StackPlanes, WithoutVariationAScaleIsItsDominantColors) {
   const SmallStack stack = two_scales({.ratio = 3});
   const StackPlanes planes = stack.planes();
   Program program = program_of(planes, 1, {0, 0});
@@ -272,7 +272,7 @@ TEST(StackPlanes, WithoutVariationAScaleIsItsDominantColours) {
   EXPECT_EQ(program.detail_mean(1, {0, 0}, 0).y, planes.color_table(0, 1 + 2).y);
 }
 
-TEST(StackPlanes, SoftlyTakenColoursAreContinuousWhereTexelsAreNot) {
+TEST(StackPlanes, SoftlyTakenColorsAreContinuousWhereTexelsAreNot) {
   SmallStack stack;
   ScaleTile coarse = random_scale({32, 32}, 1, Contents::moved, 1);
   for (int y = 0; y < 32; ++y)

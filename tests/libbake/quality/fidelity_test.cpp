@@ -45,7 +45,7 @@ TEST(Fidelity, HalfTheContrastIsSixDecibels) {
   EXPECT_NEAR(gradient_match(image, flat)->ratio_of_means, 0.5, 1e-6);
 }
 
-TEST(Fidelity, ColourDistanceIsAShiftInUnitsOfTheDeviation) {
+TEST(Fidelity, ColorDistanceIsAShiftInUnitsOfTheDeviation) {
   const Image<V3f> image = grain(64, 0.0, 1);  // uniform in a cube of 100: deviation 100 · sqrt(3/12) = 50
   Image<V3f> shifted = image.clone();
   for (V3f& c : shifted) c.x += 10.0f;

@@ -81,7 +81,7 @@ TEST(Content, PatchesOfOneTileDrawTheirContentsOneByOne) {
   EXPECT_EQ(uniform_tiles, 0);
 }
 
-/// One patch about centre (16, 16) of a 64 × 64 tile, shown with one turned content.
+/// One patch about center (16, 16) of a 64 × 64 tile, shown with one turned content.
 struct OneContent {
   EvaluatorPlanes planes;
   glsl::Program program;
@@ -101,7 +101,7 @@ struct OneContent {
 };
 
 TEST(Content, AQuarterTurnShowsWhatLiesAQuarterTurnBack) {
-  // Turned from x towards y: what lay to the right of the centre, at (5, 0), shows below it, at (0, 5).
+  // Turned from x towards y: what lay to the right of the center, at (5, 0), shows below it, at (0, 5).
   OneContent turned(turned_content({10, 20}, 2, 1.0f));
   const glsl::Source source = turned.at(0, 5);
   EXPECT_EQ(source.texel.x, 16 + 10 + 5);

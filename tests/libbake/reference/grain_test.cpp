@@ -1,4 +1,4 @@
-// The laws of structure + noise, seen through the evaluator: what a synthesised noise is as a signal.
+// The laws of structure + noise, seen through the evaluator: what a synthesized noise is as a signal.
 // Based on: Guingo et al. 2017, eq. 1-2, Fig. 3 and 10.
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ constexpr int kSide = 256;  // of the tile
 constexpr double kVariance = 0.01;
 constexpr NoiseLattice kLattice{256 * 256, 23539};
 
-/// A grey realisation, half-exact, about `mean`.
+/// A gray realization, half-exact, about `mean`.
 Image<V3f> realised(const Image<float>& spectrum, float mean) {
   const Image<float> values = realise_noise(spectrum, random_phases(kLattice.count, 3, 0));
   Image<V3f> tile(kSide, kLattice.count / kSide);
@@ -71,7 +71,7 @@ std::vector<Image<float>> masks_of(std::initializer_list<float> weights) {
   return masks;
 }
 
-const Image<V3f>& grey() {
+const Image<V3f>& gray() {
   static const Image<V3f> base(kSide, kSide, V3f(0.5f));
   return base;
 }
@@ -80,7 +80,7 @@ const Image<V3f>& grey() {
 TEST(Grain, HasTheMeanTheVarianceAndTheSpectrumOfItsModel) {
   std::vector<Image<V3f>> tiles;
   tiles.push_back(realised(true_spectrum(ring_power, kLattice, kVariance), 0.125f));
-  const EvaluatorPlanes planes = planes_of(grey(), masks_of({1}), tiles);
+  const EvaluatorPlanes planes = planes_of(gray(), masks_of({1}), tiles);
   const Image<float> values = all_seen(planes);
   EXPECT_NEAR(mean_of(values), 0.625, 1e-4);
   EXPECT_NEAR(variance_of(values), kVariance, 1e-4 * kVariance + 1e-6);
@@ -95,7 +95,7 @@ TEST(Grain, AnEvenBlendOfTwoKeepsTheirMeanDeviation) {
   std::vector<Image<V3f>> tiles;
   tiles.push_back(realised(one, 0));
   tiles.push_back(realised(blended, 0));
-  const Image<float> values = all_seen(planes_of(grey(), masks_of({0.5f, 0.5f}), tiles));
+  const Image<float> values = all_seen(planes_of(gray(), masks_of({0.5f, 0.5f}), tiles));
   // Shared phases add magnitudes: the blended spectrum is the mean of the two.
   for (size_t i = 0; i < blended.size(); ++i) blended.data()[i] = 0.5f * (blended.data()[i] + one.data()[i]);
   EXPECT_NEAR(variance_of(values) / power_of(blended), 1.0, 1e-3);
@@ -108,7 +108,7 @@ TEST(Grain, KeepsItsSpectrumWhereASingleLayersShifts) {
   const PowerLaw streaks = [](double fx, double fy) { return ring_power(2 * fx, 0.5 * fy); };
   std::vector<Image<V3f>> tiles;
   tiles.push_back(realised(true_spectrum(streaks, kLattice, kVariance), 0));
-  const EvaluatorPlanes two_layers = planes_of(grey(), masks_of({1}), tiles);
+  const EvaluatorPlanes two_layers = planes_of(gray(), masks_of({1}), tiles);
   const Image<float> undeformed = seen(two_layers, {kSide, kSide});
   const Image<float> model = true_spectrum(streaks, kSide, kVariance);
   const Image<float> grain = synthetic_noise(streaks, kSide, kVariance, 3);
@@ -169,7 +169,7 @@ TEST(Grain, FadesWithTheLevelAsTheFootprintFadesItsLobes) {
   }
   std::vector<Image<V3f>> tiles;
   tiles.push_back(realised(model, 0.125f));
-  EvaluatorPlanes planes = planes_of(grey(), masks_of({1}), tiles);
+  EvaluatorPlanes planes = planes_of(gray(), masks_of({1}), tiles);
   for (int level = 1; level <= 3; ++level) {
     const Image<float> values = all_blocks(planes, level);
     EXPECT_NEAR(mean_of(values), 0.625, 1e-4) << level;

@@ -59,7 +59,7 @@ TEST(Hash, ContentsAreDrawnEquallyOften) {
   EXPECT_LT(chi_square(seen), 18.5);  // 4 degrees of freedom: exceeded once in 1000 seeds
 }
 
-TEST(Hash, NeighbouringTilesPatchesAndSeedsDrawIndependently) {
+TEST(Hash, NeighboringTilesPatchesAndSeedsDrawIndependently) {
   glsl::Program program = program_with(4, 5), other = program_with(4, 6);
   std::array<int, 16> beside{}, below{}, next_patch{}, next_seed{};
   for (uint32_t y = 0; y < 128; ++y)

@@ -20,7 +20,7 @@ TEST(Rendering, WhatNoiseTakesBelowBlackIsBlack) {
   const Image<V3f> luv = bundle_luv(prepare(input), {2, 2}, 1);
   for (const V3f& c : luv) {
     EXPECT_GE(c.x, 0.0f);
-    // The most saturated colours of a screen, blue and red, are within 180 of grey.
+    // The most saturated colors of a screen, blue and red, are within 180 of gray.
     EXPECT_LE(std::hypot(c.y, c.z), 180.0f);
   }
   EXPECT_EQ(luv(1, 0), V3f(0)) << "black has no colour";

@@ -66,7 +66,7 @@ TEST(Report, WithoutContentsNothingOfTheBundleIsDefinedAndNothingPasses) {
   EXPECT_NEAR(value(found, Method::periodic, Measure::repetition_near), 1.0, 1e-4);
 }
 
-TEST(Report, OfOneColourIsNotDefinedAndNeverPasses) {
+TEST(Report, OfOneColorIsNotDefinedAndNeverPasses) {
   TileFixture fixture = tile_fixture(32, 3);
   fixture.base = Image<V3f>(32, 32, V3f(0.25f, 0.5f, 0.125f));
   const Report found = report_on(fixture);
@@ -131,7 +131,7 @@ TEST(Report, CountsWhatIsFetched) {
   EXPECT_EQ(value(found, Method::bundle, Measure::fetches), 2);
   EXPECT_EQ(value(found, Method::periodic, Measure::fetches), 1);
   EXPECT_EQ(value(found, Method::hex, Measure::fetches), 3);
-  // 32 · 32 texels of 8 bytes, of 4 bytes for the patches; 16 patches with 3 contents and a centre of 16 bytes each.
+  // 32 · 32 texels of 8 bytes, of 4 bytes for the patches; 16 patches with 3 contents and a center of 16 bytes each.
   EXPECT_DOUBLE_EQ(value(found, Method::bundle, Measure::gpu_bytes), (1024 * 12 + 16 * 4 * 16) / 1048576.0);
 }
 

@@ -53,7 +53,7 @@ TEST(ChoiceSheets, ShowEveryChoice) {
   EXPECT_NE(contents.cells[8].label.find("--count 11 --seed 3"), std::string::npos);
 }
 
-TEST(ChoiceSheets, OfOneColourHasOnlyWhatThereIs) {
+TEST(ChoiceSheets, OfOneColorHasOnlyWhatThereIs) {
   const Image<V3f> flat(64, 64, V3f(0.2f, 0.4f, 0.3f));
   EXPECT_EQ(convert_sheet(flat, {}).cells.size(), 2u);
 }

@@ -21,7 +21,7 @@ struct TileFixture {
   }
 };
 
-/// Linear colours around middle grey, in grain a texel and shapes an eighth of the side wide.
+/// Linear colors around middle gray, in grain a texel and shapes an eighth of the side wide.
 inline Image<V3f> grain_tile(int side, uint32_t seed = 3) {
   Random random(seed);
   Image<V3f> white(side, side), wide(side, side);

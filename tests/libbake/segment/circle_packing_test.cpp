@@ -34,7 +34,7 @@ TEST(CirclePacking, TheFirstLiesOverTheCornerOfTheTile) {
   EXPECT_EQ(pack_circles(V2i(300, 200), 12, 5).centers[0], V2d(0, 0));
 }
 
-TEST(CirclePacking, CentresLieInTheTile) {
+TEST(CirclePacking, CentersLieInTheTile) {
   for (const V2d& c : pack_circles(V2i(300, 200), 64, 5).centers) {
     EXPECT_TRUE(c.x >= 0 && c.x < 300 && c.y >= 0 && c.y < 200) << c.x << ", " << c.y;
   }

@@ -21,8 +21,8 @@ Growth growth_of(const std::string& text) {
   return growth;
 }
 
-/// Grey of lightness 10 × the digit.
-Image<V3f> greys(const std::string& text) {
+/// Gray of lightness 10 × the digit.
+Image<V3f> grays(const std::string& text) {
   const auto ids = ascii_ids(text);
   Image<V3f> luv(ids.width(), ids.height());
   for (size_t at = 0; at < ids.size(); ++at) luv.data()[at] = V3f(10.0f * static_cast<float>(ids.data()[at]), 0, 0);
@@ -58,47 +58,47 @@ TEST(Clean, FragmentsStayConnectedAndSeedsStayInside) {
   }
 }
 
-TEST(Clean, SpecksGoToTheNeighbourOfNearestColour) {
-  EXPECT_EQ(ascii(clean(growth_of("000111 020131 000111"), greys("222888 272838 222888"), limits(2)).idx),
+TEST(Clean, SpecksGoToTheNeighborOfNearestColor) {
+  EXPECT_EQ(ascii(clean(growth_of("000111 020131 000111"), grays("222888 272838 222888"), limits(2)).idx),
             "000111 000111 000111")
       << "an enclosed speck has one neighbour, whatever its colour";
-  EXPECT_EQ(ascii(clean(growth_of("000111 002111 000111"), greys("222888 227888 222888"), limits(2)).idx),
+  EXPECT_EQ(ascii(clean(growth_of("000111 002111 000111"), grays("222888 227888 222888"), limits(2)).idx),
             "000111 001111 000111");
-  EXPECT_EQ(ascii(clean(growth_of("000111 002111 000111"), greys("222888 223888 222888"), limits(2)).idx),
+  EXPECT_EQ(ascii(clean(growth_of("000111 002111 000111"), grays("222888 223888 222888"), limits(2)).idx),
             "000111 000111 000111");
 }
 
-TEST(Clean, AnEmptiedFragmentIsDividedAmongItsNeighboursTexelByTexel) {
-  EXPECT_EQ(ascii(clean(growth_of("00022111 00022111 00022111"), greys("22237888 22237888 22237888"), limits(7)).idx),
+TEST(Clean, AnEmptiedFragmentIsDividedAmongItsNeighborsTexelByTexel) {
+  EXPECT_EQ(ascii(clean(growth_of("00022111 00022111 00022111"), grays("22237888 22237888 22237888"), limits(7)).idx),
             "00001111 00001111 00001111");
 }
 
 TEST(Clean, ReachesTheMiddleOfAFragmentFromItsBorder) {
   const auto result = clean(growth_of("0000000 0111110 0111110 0111110 0111110 0000000"),
-                            greys("2222222 2888882 2888882 2888882 2888882 2222222"), limits(21));
+                            grays("2222222 2888882 2888882 2888882 2888882 2222222"), limits(21));
   EXPECT_EQ(result.count(), 1);
 }
 
 TEST(Clean, TheSmallestIsEmptiedFirst) {
   // Emptied first, the single texel 2 makes 1 large enough to stay; the other way round 1 would be dissolved too.
-  EXPECT_EQ(ascii(clean(growth_of("00000 01120 00000"), greys("22222 28862 22222"), limits(3)).idx),
+  EXPECT_EQ(ascii(clean(growth_of("00000 01120 00000"), grays("22222 28862 22222"), limits(3)).idx),
             "00000 01110 00000");
 }
 
 TEST(Clean, AMinimumOfOneChangesNothingButTheNumbers) {
-  EXPECT_EQ(ascii(clean(growth_of("2201 2201"), greys("2222 2222"), limits(1)).idx), "0012 0012");
+  EXPECT_EQ(ascii(clean(growth_of("2201 2201"), grays("2222 2222"), limits(1)).idx), "0012 0012");
 }
 
-TEST(Clean, AFullNeighbourTakesATexelOnlyWhereNoOtherCan) {
-  const auto colors = greys("222288 222288 222388");
+TEST(Clean, AFullNeighborTakesATexelOnlyWhereNoOtherCan) {
+  const auto colors = grays("222288 222288 222388");
   EXPECT_EQ(ascii(clean(growth_of("000011 000011 000211"), colors, limits(2, 12)).idx), "000011 000011 000011");
   EXPECT_EQ(ascii(clean(growth_of("000011 000011 000211"), colors, limits(2, 11)).idx), "000011 000011 000111");
-  EXPECT_EQ(ascii(clean(growth_of("0000 0100 0000"), greys("2222 2822 2222"), limits(2, 11)).idx), "0000 0000 0000");
+  EXPECT_EQ(ascii(clean(growth_of("0000 0100 0000"), grays("2222 2822 2222"), limits(2, 11)).idx), "0000 0000 0000");
 }
 
-TEST(Clean, WhatNoNeighbourCanTakeStays) {
+TEST(Clean, WhatNoNeighborCanTakeStays) {
   const auto result =
-      clean(growth_of("001100 001100 001120 001100"), greys("227722 227722 227742 227722"), limits(2, 1000, V2i(2, 4)));
+      clean(growth_of("001100 001100 001120 001100"), grays("227722 227722 227742 227722"), limits(2, 1000, V2i(2, 4)));
   EXPECT_EQ(ascii(result.idx), "001100 001100 001120 001100")
       << "1 would become 3 wide, and 0, which lies across the border, is 4 wide already";
 }

@@ -46,7 +46,7 @@ double cost(const Case& given, const Clusters& clusters, double balance) {
     for (int y = 0; y < idx.height(); ++y)
       for (int x = 0; x < idx.width(); ++x)
         for (int n = 0; n < 2; ++n) {
-          const V2i q = wrap(V2i(x + kNeighbourX[n], y + kNeighbourY[n]), V2i(idx.width(), idx.height()));
+          const V2i q = wrap(V2i(x + kNeighborX[n], y + kNeighborY[n]), V2i(idx.width(), idx.height()));
           const uint32_t a = fragment_idx(x, y), b = fragment_idx(q.x, q.y);
           if (a == b) continue;
           if (!is_mean_known) {

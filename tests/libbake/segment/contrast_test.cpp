@@ -8,7 +8,7 @@
 namespace texbake {
 namespace {
 
-/// Sixteen squares of 4×4 texels; `step` is the lightness between neighbouring squares, in ΔE, `grain` inside them.
+/// Sixteen squares of 4×4 texels; `step` is the lightness between neighboring squares, in ΔE, `grain` inside them.
 struct Checkerboard {
   Image<V3f> base{16, 16};
   FragmentMap map;

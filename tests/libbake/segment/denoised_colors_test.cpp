@@ -8,7 +8,7 @@
 namespace texbake {
 namespace {
 
-TEST(DenoisedColors, WithoutDenoisingItIsTheColoursAsTheyAre) {
+TEST(DenoisedColors, WithoutDenoisingItIsTheColorsAsTheyAre) {
   const auto tile = random_tile(20, 12, 3, 1);
   const auto denoised = denoised_colors(tile, 0);
   EXPECT_EQ(denoised.index, tile.index);

@@ -50,7 +50,7 @@ TEST(FragmentGraph, LinksAreTheSameSeenFromBothSides) {
     }
 }
 
-TEST(FragmentGraph, TheColourDifferenceIsTheMeanStepAcrossTheBorder) {
+TEST(FragmentGraph, TheColorDifferenceIsTheMeanStepAcrossTheBorder) {
   const auto map = map_of("0011223 0011223 4455667 4455667 8899aab 8899aab ccddeef");
   Image<V3f> luv = steps_of_ten(map);
   luv(0, 0) = V3f(50, 0, 0);  // of 0: beside 1 there is (1, 0), above 4 there is (0, 1); beyond the tile 3 and c

@@ -50,7 +50,7 @@ TEST(Fragment, IdxAreNumberedByTheirFirstTexelInRowOrder) {
   }
 }
 
-TEST(Fragment, NoFragmentIsBelowTheMinimumWhereANeighbourCouldTakeIt) {
+TEST(Fragment, NoFragmentIsBelowTheMinimumWhereANeighborCouldTakeIt) {
   const auto tile = random_tile(96, 64, 4, 2);
   const auto map = fragment_of(tile, {.min_area_px = 20, .max_area_px = 200});
   for (const uint32_t area : map.partition.areas_px) EXPECT_GE(area, 20u);
@@ -64,12 +64,12 @@ TEST(Fragment, NoneIsWiderOrHigherThanAQuarterOfTheTile) {
   }
 }
 
-TEST(Fragment, AFeatureIsOneFragmentWithItsClassAndItsMeanColour) {
+TEST(Fragment, AFeatureIsOneFragmentWithItsClassAndItsMeanColor) {
   const auto tile = discs(64);
   const Image<V3f> base = decode(tile);
   // A minimum of 1: what the maximum leaves of the ground between the discs must not be given to a disc.
   const auto map = fragment(tile, base, {.min_area_px = 1, .max_area_px = 400, .denoise_px = 0.0f});
-  // Discs have their centres at multiples of 16, the one at (0, 0) across the corner.
+  // Discs have their centers at multiples of 16, the one at (0, 0) across the corner.
   for (int y = 0; y < 64; y += 16)
     for (int x = 0; x < 64; x += 16) {
       const uint32_t disc = map.partition.idx(x, y);

@@ -73,7 +73,7 @@ TEST(Grow, NoFragmentClosesWhileABorderTexelOfItsClassIsWithinTheThreshold) {
     const auto texels = slow::texels_of(growth.idx, f);
     const double mean = slow::mean_of(tile.variation, texels);
     for (const V2i& p : texels)
-      for (const V2i& q : slow::neighbours(growth.idx, p)) {
+      for (const V2i& q : slow::neighbors(growth.idx, p)) {
         const bool was_free = growth.idx(q.x, q.y) > f;
         if (was_free && tile.index(p.x, p.y) == tile.index(q.x, q.y)) {
           EXPECT_GE(std::fabs(static_cast<double>(tile.variation(q.x, q.y)) - mean), 2.5);

@@ -45,8 +45,8 @@ TEST(Partition, ShapesInsideTheTileHaveNoOffset) {
   EXPECT_EQ(partition.centers[8], V2i(5, 5));
 }
 
-TEST(Partition, AShapeAcrossTheCornerHasItsCentreInOneTileAndOffsetsInTheOthers) {
-  // Shape 0 covers x 7, 8, 9 and y 7, 8, 9 of the plane: centre (8, 8), the texels at x = 0 lie one tile to the right.
+TEST(Partition, AShapeAcrossTheCornerHasItsCenterInOneTileAndOffsetsInTheOthers) {
+  // Shape 0 covers x 7, 8, 9 and y 7, 8, 9 of the plane: center (8, 8), the texels at x = 0 lie one tile to the right.
   const auto partition = blocks();
   EXPECT_EQ(partition.centers[0], V2i(8, 8));
   EXPECT_EQ(partition.owner(8, 8), (OwnerOffset{0, 0}));
@@ -56,10 +56,10 @@ TEST(Partition, AShapeAcrossTheCornerHasItsCentreInOneTileAndOffsetsInTheOthers)
   EXPECT_EQ(partition.unwrapped(0, 0), V2i(9, 9));
 }
 
-TEST(Partition, AShapeThatLeansOverTheBorderBelongsToTheTileOfItsCentre) {
-  // Shape 3 covers x 7, 8, 9: most of it is right of the border only when shifted; here the centre is x = 8.
+TEST(Partition, AShapeThatLeansOverTheBorderBelongsToTheTileOfItsCenter) {
+  // Shape 3 covers x 7, 8, 9: most of it is right of the border only when shifted; here the center is x = 8.
   EXPECT_EQ(blocks().centers[3], V2i(8, 2));
-  // Shifted by one texel to the right the centre crosses the border, and the texels left of it point forward.
+  // Shifted by one texel to the right the center crosses the border, and the texels left of it point forward.
   auto ids = blocks().idx.clone();
   Image<uint32_t> moved(9, 9);
   for (int y = 0; y < 9; ++y)
@@ -70,7 +70,7 @@ TEST(Partition, AShapeThatLeansOverTheBorderBelongsToTheTileOfItsCentre) {
   EXPECT_EQ(partition.owner(1, 2), (OwnerOffset{0, 0}));
 }
 
-TEST(Partition, CentresRoundHalfUpOnBothSidesOfZero) {
+TEST(Partition, CentersRoundHalfUpOnBothSidesOfZero) {
   EXPECT_EQ(rounded_mean(1, 2), 1);
   EXPECT_EQ(rounded_mean(-1, 2), 0);
   EXPECT_EQ(rounded_mean(-3, 2), -1);
@@ -168,7 +168,7 @@ TEST(CheckPartition, EachEditedOwnerOffsetIsFound) {
     }
 }
 
-TEST(CheckPartition, AnOffsetBeyondOneTileIsFoundEvenWhereNeighboursAgree) {
+TEST(CheckPartition, AnOffsetBeyondOneTileIsFoundEvenWhereNeighborsAgree) {
   auto partition = blocks();
   for (int y = 0; y < 9; ++y)
     for (int x = 0; x < 9; ++x)
@@ -176,7 +176,7 @@ TEST(CheckPartition, AnOffsetBeyondOneTileIsFoundEvenWhereNeighboursAgree) {
   EXPECT_THAT(kinds(check_partition(partition)), testing::ElementsAre(Kind::inconsistent_owner, Kind::wrong_center));
 }
 
-TEST(CheckPartition, AMovedCentreAndAWrongAreaAreFound) {
+TEST(CheckPartition, AMovedCenterAndAWrongAreaAreFound) {
   auto partition = blocks();
   partition.centers[3].x -= 1;
   partition.areas_px[5] += 1;

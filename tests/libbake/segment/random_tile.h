@@ -1,4 +1,4 @@
-// Small random tiles whose colours are whole numbers, so that sums do not depend on their order.
+// Small random tiles whose colors are whole numbers, so that sums do not depend on their order.
 #pragma once
 
 #include <algorithm>

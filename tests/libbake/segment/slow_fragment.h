@@ -42,10 +42,10 @@ inline bool fits(const Image<uint32_t>& idx, uint32_t shape, V2i also, V2i limit
   return arc(columns, idx.width()) <= limit.x && arc(rows, idx.height()) <= limit.y;
 }
 
-inline std::vector<V2i> neighbours(const Image<uint32_t>& idx, V2i p) {
+inline std::vector<V2i> neighbors(const Image<uint32_t>& idx, V2i p) {
   std::vector<V2i> result;
   for (int n = 0; n < 4; ++n)
-    result.push_back(wrap(V2i(p.x + kNeighbourX[n], p.y + kNeighbourY[n]), V2i(idx.width(), idx.height())));
+    result.push_back(wrap(V2i(p.x + kNeighborX[n], p.y + kNeighborY[n]), V2i(idx.width(), idx.height())));
   return result;
 }
 
@@ -104,7 +104,7 @@ inline Growth grow(const Image<uint8_t>& index, const Image<float>& v, const Gro
       if (!fits(growth.idx, fragment, p, limits.max_extent)) continue;
       growth.idx(p.x, p.y) = fragment;
       members.push_back(p);
-      for (const V2i& q : neighbours(growth.idx, p))
+      for (const V2i& q : neighbors(growth.idx, p))
         if (growth.idx(q.x, q.y) == kNone && !contains(asked, q)) {
           asked.push_back(q);
           if (index(q.x, q.y) == index(seed.x, seed.y)) waiting.push_back(q);
@@ -125,7 +125,7 @@ inline Growth grow(const Image<uint8_t>& index, const Image<float>& v, const Gro
   }
 }
 
-/// Squared distance of a colour from the mean colour of a shape.
+/// Squared distance of a color from the mean color of a shape.
 inline double squared_distance(const Image<uint32_t>& idx, uint32_t shape, const Image<V3f>& luv, V2i p) {
   const auto texels = texels_of(idx, shape);
   double distance = 0;
@@ -159,7 +159,7 @@ inline Image<uint32_t> clean(const Growth& growth, const Image<V3f>& luv, const 
     for (const V2i& p : emptied) idx(p.x, p.y) = kNone;
     std::vector<V2i> queue;
     for (const V2i& p : emptied)
-      for (const V2i& q : neighbours(idx, p))
+      for (const V2i& q : neighbors(idx, p))
         if (idx(q.x, q.y) != kNone && !contains(queue, p)) queue.push_back(p);
     for (size_t head = 0; head < queue.size(); ++head) {
       const V2i p = queue[head];
@@ -167,7 +167,7 @@ inline Image<uint32_t> clean(const Growth& growth, const Image<V3f>& luv, const 
       uint32_t best = kNone;
       for (const bool may_be_full : {false, true}) {
         double nearest = 0;
-        for (const V2i& q : neighbours(idx, p)) {
+        for (const V2i& q : neighbors(idx, p)) {
           const uint32_t f = idx(q.x, q.y);
           if (f == kNone || best == f || !fits(idx, f, p, limits.max_extent)) continue;
           if (!may_be_full && texels_of(idx, f).size() >= static_cast<size_t>(limits.max_area_px)) continue;
@@ -181,7 +181,7 @@ inline Image<uint32_t> clean(const Growth& growth, const Image<V3f>& luv, const 
       }
       if (best == kNone) continue;
       idx(p.x, p.y) = best;
-      for (const V2i& q : neighbours(idx, p))
+      for (const V2i& q : neighbors(idx, p))
         if (idx(q.x, q.y) == kNone) queue.push_back(q);
     }
 
@@ -192,7 +192,7 @@ inline Image<uint32_t> clean(const Growth& growth, const Image<V3f>& luv, const 
       std::vector<V2i> piece{p};
       idx(p.x, p.y) = count;
       for (size_t head = 0; head < piece.size(); ++head)
-        for (const V2i& q : neighbours(idx, piece[head]))
+        for (const V2i& q : neighbors(idx, piece[head]))
           if (idx(q.x, q.y) == kNone) {
             idx(q.x, q.y) = count;
             piece.push_back(q);

@@ -34,7 +34,7 @@ TEST(TorusBox, AWalkOfUnderHalfTheTileHasItsPlaneBox) {
     TorusBox found = joined(TorusBox{}, p, size);
     for (int step = 0; step < 40; ++step) {
       const uint32_t n = random.below(4);
-      const V2i q(p.x + kNeighbourX[n], p.y + kNeighbourY[n]);
+      const V2i q(p.x + kNeighborX[n], p.y + kNeighborY[n]);
       const V2i new_low(std::min(low.x, q.x), std::min(low.y, q.y)),
           new_high(std::max(high.x, q.x), std::max(high.y, q.y));
       if (2 * (new_high.x - new_low.x + 1) >= size.x || 2 * (new_high.y - new_low.y + 1) >= size.y) continue;

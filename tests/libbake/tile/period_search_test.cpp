@@ -54,7 +54,7 @@ TEST(PeriodSearch, MultipleIsHalvedUntilItFits) {
 
 TEST(PeriodSearch, MismatchIsZeroWhereThePictureRepeats) {
   const Image<V3f> luv = luv_from_linear(window_of(torus_noise(40, 30, 1, 6), {0, 0}, 64, 30));
-  for (const float value : overlap_mismatch(luv, 0, 40, 20)) EXPECT_EQ(value, 0);  // column 63 has one neighbour less
+  for (const float value : overlap_mismatch(luv, 0, 40, 20)) EXPECT_EQ(value, 0);  // column 63 has one neighbor less
   double sum = 0;
   for (const float value : overlap_mismatch(luv, 0, 37, 20)) sum += value;
   EXPECT_GT(sum, 0);

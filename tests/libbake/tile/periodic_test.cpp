@@ -40,7 +40,7 @@ TEST(Periodic, PlantedTileIsRecoveredFromAShiftedCrop) {
   EXPECT_FALSE(plan.is_resampled());
   EXPECT_EQ(apply(plan, source), window_of(torus, V2i(37, 11) + plan.tile_from_source(), 128, 64));
   EXPECT_TRUE(plan.after.tiles());
-  EXPECT_NEAR(plan.cut_ratio, 1, 0.25);  // a cut through a perfect repetition joins true neighbours, on few pairs
+  EXPECT_NEAR(plan.cut_ratio, 1, 0.25);  // a cut through a perfect repetition joins true neighbors, on few pairs
 }
 
 TEST(Periodic, CutsJoinBetterThanTheStraightBorder) {
@@ -63,7 +63,7 @@ TEST(Periodic, EveryTexelShowsTheSourceAtItsPlaceModuloThePeriod) {
       const V2i place = plan.source_place({x, y});
       ASSERT_EQ(wrap(place.x - plan.x.begin - x, plan.x.length), 0);
       ASSERT_EQ(wrap(place.y - plan.y.begin - y, plan.y.length), 0);
-      if (x >= plan.x.overlap && y >= plan.y.overlap) {  // elsewhere the shade may have been levelled
+      if (x >= plan.x.overlap && y >= plan.y.overlap) {  // elsewhere the shade may have been leveled
         ASSERT_EQ(tile(x, y), source(place.x, place.y));
       }
     }
@@ -137,7 +137,7 @@ TEST(Periodic, PatternIsClosedAtItsOwnPeriodAndResampled) {
   EXPECT_TRUE(plan.after.tiles());
 }
 
-TEST(Periodic, AllMapsFollowTheColour) {
+TEST(Periodic, AllMapsFollowTheColor) {
   const Image<V3f> source = window_of(torus_noise(200, 200, 2, 9), {0, 0}, 150, 140);
   Image<float> height(150, 140);
   for (size_t i = 0; i < height.size(); ++i) height.data()[i] = source.data()[i].y;
@@ -147,7 +147,7 @@ TEST(Periodic, AllMapsFollowTheColour) {
   for (size_t i = 0; i < tile.size(); ++i) ASSERT_EQ(height_tile.data()[i], tile.data()[i].y);
 }
 
-TEST(Periodic, MapsOfAnotherSizeAreResampledToTheColour) {
+TEST(Periodic, MapsOfAnotherSizeAreResampledToTheColor) {
   const Image<V3f> source = window_of(torus_noise(200, 200, 4, 10), {0, 0}, 150, 140);
   const TilePlan plan = plan_tile(source, options_of(Periodic::make, 16));
   const Image<V3f> half = resample(source, 75, 70, {Wrap::clamp, Wrap::clamp});
@@ -183,10 +183,10 @@ TEST(Periodic, ThreadsDoNotChangeThePlan) {
 }
 
 TEST(Periodic, ConstantExemplarStaysConstant) {
-  const Image<V3f> grey(100, 90, V3f(0.25f));
+  const Image<V3f> gray(100, 90, V3f(0.25f));
   for (const Periodic periodic : {Periodic::automatic, Periodic::assume, Periodic::make}) {
-    const TilePlan plan = plan_tile(grey, options_of(periodic, 64));
-    for (const V3f& texel : apply(plan, grey)) ASSERT_EQ(texel, V3f(0.25f));
+    const TilePlan plan = plan_tile(gray, options_of(periodic, 64));
+    for (const V3f& texel : apply(plan, gray)) ASSERT_EQ(texel, V3f(0.25f));
   }
 }
 

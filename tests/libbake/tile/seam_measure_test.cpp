@@ -54,7 +54,7 @@ TEST(SeamMeasure, BlockEdgesAreComparedWithBlockEdges) {
 }
 
 TEST(SeamMeasure, AnEdgeAlongTheWrapTilesWhereOthersAreAsStrong) {
-  // Stripes of two soft-edged colours; the wrap falls into the middle of an edge.
+  // Stripes of two soft-edged colors; the wrap falls into the middle of an edge.
   Image<V3f> stripes(96, 32);
   const float profile[] = {0.6f, 0.8f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f, 0.8f, 0.6f,
                            0.4f, 0.2f, 0.1f, 0.1f, 0.1f, 0.1f, 0.1f, 0.1f, 0.1f, 0.1f, 0.2f, 0.4f};

@@ -1,5 +1,5 @@
 // Quantiles are read from a fine histogram: no sort, and exact to a 16384th of the range.
-#include "libbake/noise/equalisation.h"
+#include "libbake/noise/equalization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ double density(double g) { return 0.39894228040143267794 * portable_exp(-0.5 * g
 
 }  // namespace
 
-float Equalisation::operator()(double g) const {
+float Equalization::operator()(double g) const {
   const double place = std::clamp((g / kRange + 1.0) * 0.5, 0.0, 1.0) * (kEntries - 1);
   const auto i = std::min(static_cast<size_t>(place), static_cast<size_t>(kEntries - 2));
   const auto part = static_cast<float>(place - static_cast<double>(i));
@@ -25,9 +25,9 @@ float Equalisation::operator()(double g) const {
 const std::vector<double>& normal_cumulative() {
   // Simpson's rule from 0 outwards: Φ(−g) = 1 − Φ(g).
   static const std::vector<double> table = [] {
-    std::vector<double> cumulative(Equalisation::kEntries, 0.5);
-    const double step = 2.0 * Equalisation::kRange / (Equalisation::kEntries - 1);
-    constexpr int kMiddle = Equalisation::kEntries / 2;
+    std::vector<double> cumulative(Equalization::kEntries, 0.5);
+    const double step = 2.0 * Equalization::kRange / (Equalization::kEntries - 1);
+    constexpr int kMiddle = Equalization::kEntries / 2;
     for (int i = 1; i <= kMiddle; ++i) {
       const double g = (i - 1) * step;
       const double area = step / 6.0 * (density(g) + 4.0 * density(g + step / 2.0) + density(g + step));
@@ -40,8 +40,8 @@ const std::vector<double>& normal_cumulative() {
   return table;
 }
 
-Equalisation match_histogram(ImageView<const float> channel, ImageView<const uint8_t> mask, double centre) {
-  Equalisation transfer{std::vector<float>(Equalisation::kEntries)};
+Equalization match_histogram(ImageView<const float> channel, ImageView<const uint8_t> mask, double center) {
+  Equalization transfer{std::vector<float>(Equalization::kEntries)};
   double least = INFINITY;
   double most = -INFINITY;
   int64_t count = 0;
@@ -69,7 +69,7 @@ Equalisation match_histogram(ImageView<const float> channel, ImageView<const uin
       before += static_cast<double>(histogram[bin++]);
     const double part =
         histogram[bin] > 0 ? std::clamp((rank - before) / static_cast<double>(histogram[bin]), 0.0, 1.0) : 0.0;
-    transfer.values[entry] = static_cast<float>(least + (static_cast<double>(bin) + part) / scale - centre);
+    transfer.values[entry] = static_cast<float>(least + (static_cast<double>(bin) + part) / scale - center);
   }
   return transfer;
 }

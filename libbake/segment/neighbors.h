@@ -17,10 +17,10 @@ inline size_t position_of(V2i texel, V2i size) {
   return static_cast<size_t>(texel.y) * static_cast<size_t>(size.x) + static_cast<size_t>(texel.x);
 }
 
-/// The positions of the four neighbours of `p` on the torus, in the order of kNeighbourX.
-struct Neighbours {
+/// The positions of the four neighbors of `p` on the torus, in the order of kNeighborX.
+struct Neighbors {
   size_t at[4];
-  Neighbours(size_t p, V2i size) {
+  Neighbors(size_t p, V2i size) {
     const auto width = static_cast<size_t>(size.x), height = static_cast<size_t>(size.y);
     const size_t x = static_cast<uint32_t>(p) % static_cast<uint32_t>(width), row = p - x;
     at[0] = x + 1 == width ? row : p + 1;
