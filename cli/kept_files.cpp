@@ -9,6 +9,7 @@
 #include "formats/byte_text.h"
 #include "formats/input_file.h"
 #include "formats/json_text.h"
+#include "formats/limits.h"
 #include "formats/sha256.h"
 #include "libbake/base/error.h"
 
@@ -47,7 +48,7 @@ Json list_member(const Json& json, const char* name) {
 /// Of a bundle of any version, as far as it can be read.
 Past past_of(const fs::path& bundle) {
   IssueLog log("", IssueLog::OnError::collect);
-  const Json manifest = parse_json(file_bytes((bundle / kManifestName).string()), log);
+  const Json manifest = parse_json(file_bytes((bundle / kManifestName).string(), kMaxManifestBytes), log);
   Past past;
   for (const Json& stage : list_member(manifest, "stages")) past.verbs.push_back(text_member(stage, "verb"));
   for (const Json& source : list_member(manifest, "sources"))

@@ -6,7 +6,9 @@
 #include <fstream>
 
 #include "formats/bundle_io.h"
+#include "formats/input_file.h"
 #include "formats/json_text.h"
+#include "formats/limits.h"
 #include "formats/noise_planes.h"
 #include "formats/schema.h"
 #include "formats/staged_folder.h"
@@ -51,6 +53,15 @@ std::vector<Payload> payloads_of(const Bundle& bundle, const BundleRefs& refs) {
   return payloads;
 }
 
+/// What no reader would take is not written.
+void check_size(const std::string& manifest, IssueLog& log) {
+  if (manifest.size() > kMaxManifestBytes)
+    log.add({IssueId::manifest_too_large,
+             {.file = kManifestName},
+             fmt::format("expected at most {} bytes, found {}", kMaxManifestBytes, manifest.size())});
+  parse_json(manifest, log);
+}
+
 Plan make_plan(const Bundle& bundle, const fs::path& path) {
   if (bundle.semantics != kSemantics)
     throw Error(ErrorKind::unsupported, fmt::format("{}: expected semantics {}, found {}; use a newer texbake",
@@ -61,6 +72,7 @@ Plan make_plan(const Bundle& bundle, const fs::path& path) {
   IssueLog log(path.string(), IssueLog::OnError::throw_first);
   check_schema(manifest, log);
   plan.manifest = print_json(manifest);
+  check_size(plan.manifest, log);
   plan.payloads = payloads_of(bundle, refs);
   return plan;
 }
@@ -89,10 +101,12 @@ bool holds_already(const fs::path& file, const PlaneRefs& refs) {
   return reader.part_names() == parts;
 }
 
-/// The payload's permissions are those of the manifest that stands in the folder.
-void write_payload(const Payload& payload, const fs::path& folder, const StepHook& hook) {
+/// A file that was not there joins `made`. Its permissions are those of the manifest that stands in the folder.
+void write_payload(const Payload& payload, const fs::path& folder, const StepHook& hook, std::vector<fs::path>& made) {
   const fs::path path = folder / payload.name();
   if (holds_already(path, payload.refs)) return;
+  std::error_code failed;
+  if (!fs::exists(fs::symlink_status(path, failed))) made.push_back(path);
   std::vector<ExrPart> parts;
   for (const ScalePlane& plane : payload.planes)
     if (parts.empty() || parts.back().shape.part != plane.shape.part) parts.push_back(exr_part(plane));
@@ -102,13 +116,31 @@ void write_payload(const Payload& payload, const fs::path& folder, const StepHoo
   file.commit();
 }
 
-/// Payloads first, the manifest last: until its name appears, the folder is the old bundle or none.
+/// May the manifest in `folder` be that of `plan`?
+bool may_be_written(const Plan& plan, const fs::path& folder) {
+  std::ifstream stream(folder / kManifestName, std::ios::binary);
+  std::string found(plan.manifest.size() + 1, '\0');
+  stream.read(found.data(), static_cast<std::streamsize>(found.size()));
+  found.resize(static_cast<size_t>(stream.gcount()));
+  return stream.bad() || found == plan.manifest;
+}
+
+/// Payloads first, the manifest last: until its name appears, the folder is the old bundle or none. When that fails,
+/// the payloads that were made for it go again.
 void write_files(const Plan& plan, const fs::path& folder, const StepHook& hook) {
-  for (const Payload& payload : plan.payloads) write_payload(payload, folder, hook);
-  SafeFile manifest(folder / kManifestName, hook);
-  if (hook) hook(std::string("write ") + kManifestName);
-  manifest.write(plan.manifest);
-  manifest.commit();
+  std::vector<fs::path> made;
+  try {
+    for (const Payload& payload : plan.payloads) write_payload(payload, folder, hook, made);
+    SafeFile manifest(folder / kManifestName, hook);
+    if (hook) hook(std::string("write ") + kManifestName);
+    manifest.write(plan.manifest);
+    manifest.commit();
+  } catch (...) {
+    std::error_code ignored;
+    if (!may_be_written(plan, folder))
+      for (const fs::path& path : made) fs::remove(path, ignored);
+    throw;
+  }
 }
 
 /// Removes payloads that `plan` does not name, and what killed writers left. Failing to tidy up harms nobody.
@@ -146,7 +178,10 @@ bool is_bundle(const fs::path& folder) {
   if (!stream && errno == EACCES)
     throw Error(ErrorKind::io, fmt::format("{}: cannot be opened: {}; check its permissions",
                                            (folder / kManifestName).string(), std::strerror(EACCES)));
-  const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
+  std::error_code failed;
+  if (!stream || !fs::is_regular_file(folder / kManifestName, failed)) return false;
+  IssueLog log("", IssueLog::OnError::collect);
+  const Json json = parse_json(file_bytes((folder / kManifestName).string(), kMaxManifestBytes), log);
   return json.is_object() && json.contains("asset") && json["asset"].is_object() &&
          json["asset"].value("kind", Json()) == "texbake.bundle";
 }

@@ -61,10 +61,10 @@ std::vector<std::string> owned_members(const std::vector<Stage>& stages, size_t 
   return owned(stages, last_writers(stages), at);
 }
 
-Json history_json(const StateJson& state) {
-  Json scales = state.scales;
+Json history_json(StateJson state) {
+  Json scales = std::move(state.scales);
   if (!state.noise.is_null() && scales.is_array() && !scales.empty() && scales.back().is_object())
-    scales.back()["noise"] = state.noise;
+    scales.back()["noise"] = std::move(state.noise);
   return scales;
 }
 

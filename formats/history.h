@@ -15,7 +15,7 @@ namespace texbake {
 std::vector<std::string> owned_members(const std::vector<Stage>& stages, size_t at);
 
 /// The scales, the finest with the bundle's noise as its last member: what the hashes below are taken of.
-Json history_json(const StateJson& state);
+Json history_json(StateJson state);
 
 /// The hashes of the stages of one bundle, as it is now. A stranger's bundle has a thousand stages and megabytes of
 /// tables: equal members of equal scales are hashed once. What it is made of must stay until it goes.

@@ -27,7 +27,9 @@ constexpr IssueKind kKinds[] = {
     {manifest_too_large, "manifest-too-large", kError, kData, "bundle.json is larger than 64 MiB", kRestore},
     {json_syntax, "json-syntax", kError, kData, "bundle.json is not JSON in UTF-8", kRestore},
     {json_too_deep, "json-too-deep", kError, kData,
-     "bundle.json nests deeper than 64 levels, or an object has more than 4096 members", kRestore},
+     "bundle.json nests deeper than 64 levels, an object has more than 4096 members, or there are more than 1048576 "
+     "values",
+     kRestore},
     {json_duplicate_key, "json-duplicate-key", kError, kData, "an object has the same key twice", kRestore},
     {stray_file, "stray-file", kWarning, kData, "the folder holds a file that the manifest does not name",
      "remove it; files left by killed writers are removed the next time texbake writes this bundle"},

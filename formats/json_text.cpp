@@ -39,8 +39,8 @@ std::string scalar_text(const Json& json) {
   return json.dump();
 }
 
-/// One line; `gap` stands after every comma and colon.
-void append_line(const Json& json, std::string_view gap, std::string& out) {
+/// One line; `gap` stands after every comma and colon. Once there are `enough` bytes, no more is added.
+void append_line(const Json& json, std::string_view gap, std::string& out, size_t enough = std::string::npos) {
   if (!json.is_structured()) {
     out += scalar_text(json);
     return;
@@ -50,7 +50,8 @@ void append_line(const Json& json, std::string_view gap, std::string& out) {
   for (const auto& [key, value] : json.items()) {
     if (!std::exchange(first, false)) (out += ',') += gap;
     if (json.is_object()) ((out += string_text(key)) += ':') += gap;
-    append_line(value, gap, out);
+    append_line(value, gap, out, enough);
+    if (out.size() > enough) return;
   }
   out += json.is_object() ? '}' : ']';
 }
@@ -127,6 +128,22 @@ class StrictParser : public nlohmann::detail::json_sax_dom_parser<Json> {
   std::vector<std::set<std::string>> keys_;
 };
 
+/// Of a document, if it is JSON: before memory is taken for them.
+size_t count_of_values(std::string_view text) {
+  size_t count = 1;
+  bool is_first = false;  // of a list or an object, if it has any
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
+    if (c == ',' || (is_first && c != ']' && c != '}')) ++count;
+    is_first = c == '[' || c == '{';
+    if (c != '"') continue;
+    for (++i; i < text.size() && text[i] != '"'; ++i)
+      if (text[i] == '\\') ++i;
+  }
+  return count;
+}
+
 struct Parsed {
   Json json;                       ///< null after a refusal
   std::optional<Refused> refused;  ///< what is wrong with it
@@ -140,6 +157,9 @@ std::string reason_of(const Json::exception& error) {
 }
 
 Parsed parsed_json(std::string_view text) {
+  if (const size_t count = count_of_values(text); count > kMaxValues)
+    return {nullptr, Refused{IssueId::json_too_deep,
+                             fmt::format("expected at most {} values in all, found {}", kMaxValues, count)}};
   try {
     Parsed parsed;
     StrictParser parser(parsed.json);
@@ -169,15 +189,15 @@ std::string vector_text(const V3f& v) { return fmt::format("({}, {}, {})", v.x, 
 V3f vector_of(const Json& json) { return {json[0].get<float>(), json[1].get<float>(), json[2].get<float>()}; }
 
 Json parse_json(std::string_view text, IssueLog& log) {
-  const Parsed parsed = parsed_json(text);
+  Parsed parsed = parsed_json(text);
   if (parsed.refused) log.add({parsed.refused->id, {.file = "bundle.json"}, parsed.refused->detail});
-  return parsed.json;
+  return std::move(parsed.json);
 }
 
 Json parse_json(std::string_view text, const std::string& path) {
-  const Parsed parsed = parsed_json(text);
+  Parsed parsed = parsed_json(text);
   if (parsed.refused) throw Error(ErrorKind::bad_data, fmt::format("{}: {}", path, parsed.refused->detail));
-  return parsed.json;
+  return std::move(parsed.json);
 }
 
 Json with_text(const Json& json) {
@@ -211,6 +231,12 @@ std::string shortened(std::string text, size_t bytes) {
   while (bytes > 0 && (text[bytes] & 0xC0) == 0x80) --bytes;
   text.resize(bytes);
   return text + "...";
+}
+
+std::string shortened_json(const Json& json, size_t bytes) {
+  std::string text;
+  append_line(json, "", text, bytes);
+  return shortened(std::move(text), bytes);
 }
 
 std::string pointer_below(const std::string& pointer, const std::string& name) {

@@ -39,6 +39,8 @@ std::string compact_json(const Json& json);
 
 /// Text of a stranger in a message: at most `bytes` of UTF-8, no character cut in two, and "..." if there was more.
 std::string shortened(std::string text, size_t bytes);
+/// The same of compact_json, of which no more is made.
+std::string shortened_json(const Json& json, size_t bytes);
 /// `pointer` with one more step, to the member `name`; a name that is too long for a message is shortened.
 std::string pointer_below(const std::string& pointer, const std::string& name);
 

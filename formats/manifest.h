@@ -38,7 +38,8 @@ struct Manifest {
   NoiseRefs noise_refs;
 };
 
-/// Checks versions, then the schema, then what the schema cannot say. A scale with errors has no refs.
-Manifest parse_manifest(const Json& json, Semantics semantics, IssueLog& log);
+/// Checks versions, then the schema, then what the schema cannot say. A scale with errors has no refs. What the bundle
+/// keeps as it is, extras and the like, is taken out of `json`.
+Manifest parse_manifest(Json& json, Semantics semantics, IssueLog& log);
 
 }  // namespace texbake

@@ -6,6 +6,7 @@
 #include "formats/asset.h"
 #include "formats/byte_text.h"
 #include "formats/json_text.h"
+#include "formats/limits.h"
 #include "formats/manifest.h"
 #include "formats/noise_manifest.h"
 #include "formats/plane_refs.h"
@@ -207,6 +208,7 @@ class ScaleReader {
 };
 
 void read_scales(const Json& json, Manifest& manifest, IssueLog& log) {
+  if (json.size() > kMaxManifestScales) return;  // the schema has said so
   std::set<std::string> names;
   for (size_t i = 0; i < json.size(); ++i) {
     const std::string pointer = fmt::format("/scales/{}", i);
@@ -225,18 +227,18 @@ void read_scales(const Json& json, Manifest& manifest, IssueLog& log) {
   if (!log.error_below("/scales")) check_transfers(manifest.bundle, manifest.sizes, log);
 }
 
-void read_provenance(const Json& json, Bundle& bundle) {
+void read_provenance(Json& json, Bundle& bundle) {
   for (const Json& source : json["sources"])
     bundle.sources.push_back({source["role"], bytes_of_text(source["name"].get_ref<const std::string&>()),
                               source["sha256"], source["sizeBytes"].get<uint64_t>(), source.value("scale", "")});
-  for (const Json& stage : json["stages"])
-    bundle.stages.push_back({stage["verb"], stage["version"].get<int>(), stage["parameters"], stage["figures"],
-                             stage["input"], stage["output"], stage.value("scale", "")});
+  for (Json& stage : json["stages"])
+    bundle.stages.push_back({stage["verb"], stage["version"].get<int>(), std::move(stage["parameters"]),
+                             std::move(stage["figures"]), stage["input"], stage["output"], stage.value("scale", "")});
 }
 
 }  // namespace
 
-Manifest parse_manifest(const Json& json, Semantics semantics, IssueLog& log) {
+Manifest parse_manifest(Json& json, Semantics semantics, IssueLog& log) {
   Manifest manifest;
   check_asset(json, semantics, log);
   if (log.error_count() > 0) return manifest;
@@ -251,13 +253,13 @@ Manifest parse_manifest(const Json& json, Semantics semantics, IssueLog& log) {
     read_noise(json["noise"], manifest.bundle.scales.back().masks.size(), manifest.bundle.noise.emplace(),
                manifest.noise_refs, log);
   if (root_is_sound("sources") && root_is_sound("stages")) read_provenance(json, manifest.bundle);
-  if (root_is_sound("extensions")) manifest.bundle.extensions = json["extensions"];
-  if (root_is_sound("extras")) manifest.bundle.extras = json["extras"];
+  if (root_is_sound("extensions")) manifest.bundle.extensions = std::move(json["extensions"]);
+  if (root_is_sound("extras")) manifest.bundle.extras = std::move(json["extras"]);
 
   const std::set<std::string> known = {"asset",      "generator",          "scales", "noise", "sources", "stages",
                                        "extensions", "extensionsRequired", "extras"};
-  for (const auto& [key, value] : json.items())
-    if (!known.contains(key)) manifest.bundle.unknown[key] = value;
+  for (auto& [key, value] : json.items())
+    if (!known.contains(key)) manifest.bundle.unknown[key] = std::move(value);
   warn_unknown_members(json, "", known, log);
   return manifest;
 }

@@ -62,7 +62,7 @@ void verify(const fs::path& path, IssueLog& log) {
     const bool is_finest = i + 1 == loaded.bundle.scales.size();
     if (!is_finest || !loaded.bundle.noise) release(loaded.bundle.scales[i]);
   };
-  const LoadedBundle loaded = load_bundle(path, {.kept = KeptPlanes::judged, .scale_read = judge}, log);
+  LoadedBundle loaded = load_bundle(path, {.kept = KeptPlanes::judged, .scale_read = judge}, log);
   if (loaded.refs.empty()) return;
   check_noise(loaded, log);
   check_state(loaded, log);

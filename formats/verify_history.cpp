@@ -51,10 +51,12 @@ bool has_record(const Bundle& bundle, const std::string& verb, const Scale& scal
 
 }  // namespace
 
-void check_state(const LoadedBundle& loaded, IssueLog& log) {
+void check_state(LoadedBundle& loaded, IssueLog& log) {
   const Bundle& bundle = loaded.bundle;
   if (!loaded.manifest.contains("scales")) return;
-  const Json scales = history_json({loaded.manifest["scales"], loaded.manifest.value("noise", Json())});
+  Json noise;
+  if (loaded.manifest.contains("noise")) noise = std::move(loaded.manifest["noise"]);
+  const Json scales = history_json({std::move(loaded.manifest["scales"]), std::move(noise)});
   HistoryHashes hashes(scales, bundle.sources, bundle.stages);
   for (size_t i = 0; i < bundle.stages.size(); ++i) {
     const Stage& stage = bundle.stages[i];

@@ -5,8 +5,9 @@
 
 namespace texbake {
 
-/// What each stage wrote is what the bundle holds, and what it read is there still.
-void check_state(const LoadedBundle& loaded, IssueLog& log);
+/// What each stage wrote is what the bundle holds, and what it read is there still. Takes the scales and the
+/// noise out of the manifest.
+void check_state(LoadedBundle& loaded, IssueLog& log);
 /// Every plane and table has a stage that makes it.
 void check_stages(const Bundle& bundle, IssueLog& log);
 /// Recorded figures of `scale` agree with what can be counted in it.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "formats/limits.h"
 #include "formats/verify.h"
 #include "tests/formats/bundle_fixtures.h"
 
@@ -187,6 +188,75 @@ TEST(HostileBundle, ALongListOfObjectsTakesTimeInProportion) {
   IssueLog log("", IssueLog::OnError::collect);
   EXPECT_EQ(parse_json(text + "]", log).size(), 1000001u);
   EXPECT_THAT(log.issues(), IsEmpty());
+}
+
+/// A bundle whose manifest has these members beside those that say that it is one.
+fs::path bundle_of_text(const TemporaryFolder& folder, const std::string& members) {
+  fs::create_directories(folder / "a.texbundle");
+  write_text(folder / "a.texbundle/bundle.json",
+             R"({"asset": {"kind": "texbake.bundle", "version": "1.0", "minVersion": "1.0", "semantics": 1}, )" +
+                 members + "}");
+  return folder / "a.texbundle";
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string all = text;
+  for (int i = 1; i < count; ++i) all += "," + text;
+  return all;
+}
+
+TEST(HostileBundle, MoreScalesThanThereMayBeAreOneIssue) {
+  const TemporaryFolder folder;
+  const fs::path bundle =
+      bundle_of_text(folder, R"("sources": [], "stages": [], "scales": [)" + repeated("{}", 350000) + "]");
+  uint64_t about_scales = 0;
+  for (const Issue& issue : verify_bundle(bundle))
+    if (issue.where.pointer.starts_with("/scales")) {
+      about_scales += issue.count;
+      EXPECT_THAT(text(issue), testing::HasSubstr("at most 16 elements"));
+    }
+  EXPECT_EQ(about_scales, 1u);
+}
+
+TEST(HostileBundle, AListThatIsTooLongIsOneIssueWhateverIsInIt) {
+  const TemporaryFolder folder;
+  const fs::path bundle = bundle_of_text(
+      folder, R"("generator": "", "scales": [], "sources": [], "stages": [)" + repeated("{}", 2000) + "]");
+  uint64_t about_stages = 0;
+  for (const Issue& issue : verify_bundle(bundle))
+    if (issue.where.pointer.starts_with("/stages")) about_stages += issue.count;
+  EXPECT_EQ(about_stages, 1u);
+}
+
+TEST(HostileBundle, AManifestHasAsManyValuesAsItsReaderHasRoomFor) {
+  const auto issues_of = [](size_t values) {
+    IssueLog log("", IssueLog::OnError::collect);
+    parse_json("[" + repeated("{}", static_cast<int>(values) - 1) + "]", log);
+    return log.issues();
+  };
+  EXPECT_THAT(issues_of(kMaxValues), IsEmpty());
+  const std::vector<Issue> issues = issues_of(kMaxValues + 1);
+  ASSERT_EQ(issues.size(), 1u);
+  EXPECT_EQ(issues[0].id, IssueId::json_too_deep);
+  EXPECT_THAT(text(issues[0]), testing::HasSubstr("1048576 values"));
+}
+
+TEST(HostileBundle, WhatNoReaderTakesIsNotWritten) {
+  const TemporaryFolder folder;
+  Bundle bundle = bundle_without_history();
+  write_bundle(bundle, folder / "a.texbundle");
+  const auto before = folder_contents(folder / "a.texbundle");
+  bundle.extras = {{"long", std::vector<int>(kMaxValues, 0)}};
+  EXPECT_THROW(write_bundle(bundle, folder / "a.texbundle"), Error);
+  bundle.extras = {{"large", std::string(kMaxManifestBytes, 'x')}};
+  EXPECT_THROW(write_bundle(bundle, folder / "a.texbundle"), Error);
+  EXPECT_EQ(folder_contents(folder / "a.texbundle"), before);
+}
+
+TEST(HostileBundle, AMessageShowsTheBeginningOfALongValue) {
+  EXPECT_EQ(shortened_json(Json::parse("[[1, 2], [3, 4]]"), 100), "[[1,2],[3,4]]");
+  EXPECT_EQ(shortened_json(Json::parse("[[1, 2], [3, 4]]"), 5), "[[1,2...");
+  EXPECT_EQ(shortened_json(std::string(100, 'a'), 4), "\"aaa...");
 }
 
 TEST(HostileBundle, NamesOfAnyLengthAreShownInAFewBytes) {
