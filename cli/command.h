@@ -28,6 +28,7 @@ struct Command {
   std::string example;  ///< complete command lines
   /// Adds the verb's arguments; the action it returns is called after the parse and owns what they fill.
   std::function<Action(Arguments& arguments)> declare;
+  std::string combinations = {};  ///< lines on which options do not go together, where there is something to say
 };
 
 /// Adds the positional BUNDLE that most verbs read.

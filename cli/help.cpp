@@ -28,6 +28,8 @@ class HelpWriter {
   /// `name` at the left and `description` beside it, or below where the name is long.
   void entry(const std::string& name, const std::string& description);
   void arguments(const Arguments& arguments);
+  /// Lines of text, each a paragraph.
+  void remarks(const std::string& title, const std::string& lines);
   /// Command lines, one a line.
   void examples(const std::string& commands);
 
@@ -68,6 +70,12 @@ void HelpWriter::arguments(const Arguments& arguments) {
     heading(group.heading);
     for (const Argument* argument : group.arguments) entry(heading_of(*argument), description_of(*argument));
   }
+}
+
+void HelpWriter::remarks(const std::string& title, const std::string& text) {
+  heading(title);
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines(wrapped(line, width_ - 3 * kIndent), kIndent, 3 * kIndent);
 }
 
 void HelpWriter::examples(const std::string& commands) {
@@ -133,6 +141,7 @@ std::string help_text(const CommandLine& line, const Verb& verb, int width) {
   writer.paragraph("Usage: " + usage_of(verb));
   writer.arguments(verb.arguments);
   writer.arguments(line.common());
+  if (!verb.command.combinations.empty()) writer.remarks("Combinations", verb.command.combinations);
   writer.examples(verb.command.example);
   return writer.text();
 }

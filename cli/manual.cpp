@@ -76,6 +76,14 @@ std::string name_section(const std::string& name, const std::string& summary) {
   return section("NAME") + escaped(name) + " \\- " + escaped(summary) + "\n";
 }
 
+std::string combinations(const std::string& lines) {
+  if (lines.empty()) return {};
+  std::string text = section("COMBINATIONS");
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);) text += escaped(line) + "\n.br\n";
+  return text;
+}
+
 std::string examples(const std::string& commands) {
   std::string text = section("EXAMPLES") + ".nf\n";
   std::istringstream stream(commands);
@@ -119,7 +127,7 @@ std::string manual_page(const CommandLine& line, const Verb& verb) {
   text += section("SYNOPSIS") + escaped(usage_of(verb)) + "\n";
   text += section("OPTIONS") + arguments(verb.arguments) + arguments(line.common());
   text += section("EXIT STATUS") + "That of\n.BR texbake (1).\n";
-  return text + examples(verb.command.example) + see_also(line, &verb);
+  return text + combinations(verb.command.combinations) + examples(verb.command.example) + see_also(line, &verb);
 }
 
 }  // namespace texbake

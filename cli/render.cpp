@@ -134,12 +134,11 @@ void check(const RenderFlags& request, const std::string& path) {
   check_options(request.view);
   check_options(request.relief);
   check_view(request.view, request.window);
-  if (request.view.view == View::plane && !deformation_of(request.deform).is_identity())
-    throw Error(ErrorKind::usage,
-                "--rotate, --stretch, --turbulence: deform only a flat window; expected no --view plane beside them");
   constexpr int kAnySide = 1 << 14;  // of a tile
   const DrawRequest picture = draw_request_of(request, {kAnySide, kAnySide});
-  check_request(picture);
+  Features features = picture.features();
+  features.add(Feature::deformation, !deformation_of(request.deform).is_identity());
+  check_features(features);
   check_backend(picture, request.gl.backend);
   check_picture_name(path, request.options.bits);
   check_picture_size(path, picture.width(), picture.height());
@@ -211,7 +210,7 @@ Command render_command() {
           "  texbake render leaves.texbundle -o floor.png --size 1200x800 --view plane --camera-height 600 --pitch 15\n"
           "  texbake render rock.texbundle -o rock_lit.png --relief 24 --view-direction 1,0,1 --light -1,-1,1\n"
           "  texbake render leaves.texbundle -o leaves.exr --bits float --backend gl",
-          declare_render};
+          declare_render, "These options, and bundles, do not go together; all others do.\n" + not_together()};
 }
 
 }  // namespace texbake

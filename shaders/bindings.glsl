@@ -17,6 +17,8 @@ uniform uvec2 deform_from_tile;  // a texel of the picture, within 2^24 texels o
 uniform ivec2 deform_from;
 uniform uvec2 deform_to_tile;    // where its center is taken from
 uniform ivec4 deform_to;         // texel x, y; 1/65536 texel x, y
+uniform ivec2 deform_axis_256;   // what a pixel sees of the structure: the longer axis, in 1/256 texel
+uniform ivec2 deform_probes;     // level of detail in 1/256, and log2 of the number of points
 uniform ivec2 turbulence;        // amplitude in 1/256 texel, log2 of the cells' side in texels
 uniform isampler2D level_table;    // RGBA32I   3 x (L + 1)  blocks.x, blocks.y, corner.x, corner.y; side_256.x, .y, shift.x, .y;
                                    //   level of the noises, 0, 0, 0

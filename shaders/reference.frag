@@ -22,7 +22,7 @@ void main() {
   Decision decision = decide(texel);
   Source source = source_of(texel, decision);
   decided = uvec4(uint(decision.patch_idx), uint(decision.content), uint(source.nearest.x), uint(source.nearest.y));
-  if (deformed == 1) value = filter_kind == kFilterNearest ? deformed_value(base, texel) : deformed_footprint(base, at);
+  if (deformed == 1) value = deformed_value(base, plane_kind, base_levels, at, filter_kind, level_256);
   else if (filter_kind == kFilterNearest) value = texel_value(base, plane_kind, base_levels, texel);
   else value = trilinear_value(base, plane_kind, base_levels, at, level_256);
 }

@@ -32,7 +32,7 @@ std::string_view shader_text(std::string_view name) {
 
 std::string reference_core(ShaderLanguage language) {
   return concatenated({prologue(language), "constants.glsl", "bindings.glsl", "hash.glsl", "content.glsl",
-                       "sample.glsl", "noise.glsl", "deform.glsl", "levels.glsl"});
+                       "sample.glsl", "noise.glsl", "levels.glsl", "deform.glsl"});
 }
 
 std::string stack_core(ShaderLanguage language) {

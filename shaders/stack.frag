@@ -1,6 +1,6 @@
 // Draws a window of a stack of scales: its values, and the decisions of the scale that shows; or, with relief, what was
 // found before the exact path.
-uniform uvec2 origin_tile;    // as in reference.frag, in terms of the scale that shows
+uniform uvec2 origin_tile;    // as in reference.frag, of the finest scale, as is the step
 uniform ivec2 origin_offset;
 uniform uint step_256;
 uniform ivec2 first_row;
@@ -20,8 +20,8 @@ void main() {
   Position origin;
   origin.tile = origin_tile;
   origin.offset = origin_offset;
-  use_scale(view_scale);
-  Position at = pixel_position(origin, step_256, pixel);
+  use_scale(scale_count - 1);
+  Position at = position_in_scale(pixel_position(origin, step_256, pixel), scale_count - 1, view_scale);
 
   Texel texel = texel_at(at);
   Decision decision = decide(texel);

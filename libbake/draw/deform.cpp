@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -48,6 +49,35 @@ Deformation deformation_of(const DeformationRequest& request) {
   deformation.turbulence_256 = static_cast<int>(std::lround(request.turbulence_texels * 256));
   deformation.turbulence_cell_log2 = std::countr_zero(cell);
   return deformation;
+}
+
+DeformedFootprint footprint_of(const Deformation& deformation, double texels, int most_halvings, int level_count) {
+  const double size = std::max(1.0, texels) / kOne;
+  const double xx = deformation.matrix[0] * size, xy = deformation.matrix[1] * size;
+  const double yx = deformation.matrix[2] * size, yy = deformation.matrix[3] * size;
+  // Eigenvectors of J Jᵀ.
+  const double across = xx * xx + xy * xy, along = yx * yx + yy * yy, both = xx * yx + xy * yy;
+  const double half_difference = (across - along) / 2;
+  const double root = std::sqrt(half_difference * half_difference + both * both);
+  const double major = std::sqrt((across + along) / 2 + root);
+  const double minor = major > 0 ? std::abs(xx * yy - xy * yx) / major : 0;
+  const double width = std::max(minor, major / (1 << most_halvings));
+
+  DeformedFootprint footprint;
+  if (width > 1) {
+    const double level = portable_log(width) / portable_log(2);
+    footprint.level_256 = std::min(static_cast<int>(std::lround(256 * level)), 256 * (level_count + 1));
+  }
+  constexpr double kEnough = 0.999;  // of the axis
+  for (double seen = std::max(1.0, width); footprint.halvings < most_halvings && seen < major * kEnough; seen *= 2)
+    ++footprint.halvings;
+  if (footprint.halvings == 0) return footprint;
+  const double x = across < along ? both : half_difference + root;
+  const double y = across < along ? root - half_difference : both;
+  const double scale = 256 * major / std::sqrt(x * x + y * y);
+  footprint.axis_256[0] = static_cast<int>(std::lround(x * scale));
+  footprint.axis_256[1] = static_cast<int>(std::lround(y * scale));
+  return footprint;
 }
 
 DeformationAnchor anchor_of(const Deformation& deformation, V2i tile_size, const uint32_t (&tile)[2], V2i texel) {

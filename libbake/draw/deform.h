@@ -31,6 +31,18 @@ struct DeformationRequest {
 /// Throws Error(usage) for values out of range.
 Deformation deformation_of(const DeformationRequest& request);
 
+/// What a pixel of a window sees of the structure: points in a row along the longer axis of its footprint, at one level
+/// of detail. Turbulence, whose slopes are gentle, does not widen it.
+struct DeformedFootprint {
+  int axis_256[2] = {0, 0};  ///< from its one end to the other, 1/256 texel
+  int halvings = 0;          ///< 2^halvings points
+  int level_256 = 0;         ///< 0 … 256 (level_count + 1)
+};
+
+/// Of a pixel `texels` wide, at least one: the ellipse that the deformation makes of a circle (Heckbert 1989). At most
+/// 2^most_halvings points; where that is not enough for its shorter axis, they are as wide as it takes.
+DeformedFootprint footprint_of(const Deformation& deformation, double texels, int most_halvings, int level_count);
+
 /// Where the deformation takes the center of texel (`texel`) of repetition (`tile`) from, exactly: tiles count as
 /// signed, so that a deformed picture is of one piece up to 2^31 repetitions from the origin.
 struct DeformationAnchor {

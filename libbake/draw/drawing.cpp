@@ -21,8 +21,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorKind::usage, what); }
 
-constexpr const char* kDeformed = "--rotate, --stretch, --turbulence: ";
-
 bool shows_color(const DrawRequest& request) { return request.map.empty() && request.show == Show::color; }
 
 /// Whether all scales are drawn together. A map, and how the texture is put together, is that of the finest.
@@ -52,24 +50,15 @@ int DrawRequest::height() const {
 }
 bool DrawRequest::is_deformed() const { return is_flat() && !std::get<Window>(view).deformation.is_identity(); }
 
-void check_request(const DrawRequest& request) {
-  if (request.is_deformed()) {
-    if (request.samples > 1) refuse(std::string(kDeformed) + "expected no --supersample beside them");
-    if (!shows_color(request))
-      refuse(std::string(kDeformed) + "deform only the color; expected neither --map nor --show");
-    if (request.has_relief()) refuse(std::string(kDeformed) + "deform only bundles of one scale, without --relief");
-  }
-  if (request.show != Show::color) {
-    const std::string asked = fmt::format("--show {}", enum_name(request.show));
-    if (!request.map.empty()) refuse(asked + ": shows the texture itself; expected no --map beside it");
-    if (!request.is_flat() || request.samples > 1)
-      refuse(asked + ": shows whole texels; expected neither --view plane nor --supersample");
-  }
-  if (request.has_relief()) {
-    if (!shows_color(request)) refuse("--relief: lights the texture; expected neither --map nor --show beside it");
-    if (request.is_flat() && request.samples > 1)
-      refuse("--supersample: expected --view plane beside --relief, found a flat window");
-  }
+Features DrawRequest::features() const {
+  Features all;
+  all.add(Feature::deformation, is_deformed());
+  all.add(Feature::map, !map.empty());
+  all.add(Feature::show, show != Show::color);
+  all.add(Feature::plane, !is_flat());
+  all.add(Feature::supersample, samples > 1);
+  all.add(Feature::relief, has_relief());
+  return all;
 }
 
 int drawn_channels(const DrawnMaterial& material, const DrawRequest& request) {
@@ -78,14 +67,17 @@ int drawn_channels(const DrawnMaterial& material, const DrawRequest& request) {
 }
 
 Drawing::Drawing(const DrawnMaterial& material, const DrawRequest& request) : request_(request) {
-  check_request(request);
+  Features features = request.features();
+  features.add(Feature::scales, material.scales.size() > 1);
+  check_features(features);
+  check_show(material.finest, request.show);
   if (!draws_stack(material, request)) {
-    tile_ = prepare(drawn_input(material.finest, request.map));
+    EvaluatorInput input = drawn_input(material.finest, request.map);
+    input.grain_apart = request.is_deformed();
+    tile_ = prepare(input);
     plane_ = request.map.empty() ? &tile_.base : &tile_.maps.front();
-    check_show(tile_, request.show);
     return;
   }
-  if (request.is_deformed()) refuse(std::string(kDeformed) + "deform only bundles of one scale, without --relief");
   stack_ = prepare_stack(material.scales);
   if (request.has_relief())
     relief_ = relief_planes(material.scales.front().input, request.relief.options, request.relief.light);
@@ -112,7 +104,9 @@ Image<V3f> Drawing::tile_rows(const Perspective& view, int row_begin, int row_en
 }
 
 Image<V3f> Drawing::stack_rows(const Window& window, int row_begin, int row_end) const {
-  if (request_.samples > 1) return supersampled_stack_rows(stack_, window, request_.samples, row_begin, row_end);
+  if (request_.samples > 1)
+    return supersampled_stack_rows(stack_, relief(), request_.relief.viewer, window, request_.samples, row_begin,
+                                   row_end);
   if (relief_) return render_relief_rows(stack_, *relief_, request_.relief.viewer, window, row_begin, row_end);
   return render_stack_rows(stack_, window, row_begin, row_end);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "libbake/draw/feature.h"
 #include "libbake/draw/perspective_view.h"
 #include "libbake/draw/show.h"
 #include "libbake/draw/window.h"
@@ -35,10 +36,8 @@ struct DrawRequest {
   bool is_flat() const { return std::holds_alternative<Window>(view); }
   bool is_deformed() const;
   bool has_relief() const { return relief.options.depth_px > 0; }
+  Features features() const;  ///< all but the scales of the material
 };
-
-/// What goes with what. Throws Error(usage) for a picture that is not offered, naming the options of `texbake render`.
-void check_request(const DrawRequest& request);
 
 /// The channels of the picture, 1 or 3. Throws Error(usage) for a map that the material lacks.
 int drawn_channels(const DrawnMaterial& material, const DrawRequest& request);
@@ -46,7 +45,7 @@ int drawn_channels(const DrawnMaterial& material, const DrawRequest& request);
 /// A picture, ready to be drawn.
 class Drawing {
  public:
-  /// Borrows what `material` views until it returns. Throws Error(usage) as check_request does, for a map or a height
+  /// Borrows what `material` views until it returns. Throws Error(usage) as check_features does, for a map or a height
   /// map that the material lacks, and for views outside their range; Error(bad_data) as prepare and prepare_stack do.
   Drawing(const DrawnMaterial& material, const DrawRequest& request);
 

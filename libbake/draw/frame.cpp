@@ -46,8 +46,8 @@ Frame reference_frame(const EvaluatorPlanes& planes, const Window& window, const
       frame.decisions(i, j) = {static_cast<uint32_t>(decision.patch_idx), static_cast<uint32_t>(decision.content),
                                static_cast<uint32_t>(source.nearest.x), static_cast<uint32_t>(source.nearest.y)};
       if (deformed)
-        frame.values(i, j) = window.filter == Filter::nearest ? program.deformed_value(drawn.texels, texel)
-                                                              : program.deformed_footprint(drawn.texels, at);
+        frame.values(i, j) = program.deformed_value(drawn.texels, drawn.kind, drawn.levels, at,
+                                                    smooth_filter(window.filter), drawn.level_256);
       else
         frame.values(i, j) = drawn.value(program, at);
     }

@@ -12,16 +12,13 @@ namespace {
 template <class Text, class Draw>
 void for_each_sight(const StackPlanes& planes, const ReliefPlanes& relief, const Direction& viewer,
                     const Window& window, const ScaleView& view, int row_begin, int row_end, const Draw& draw) {
-  check_window(window, planes.sizes[static_cast<size_t>(view.scale)]);
-  glsl::Program bound = program_of(planes, window.seed, reference_near(planes, window, view.scale));
+  glsl::Program bound = window_program_of(planes, window);
   bind_relief(bound, relief);
-  const glsl::vec3 slant = slant_of(planes, viewer, window, view.scale);
+  const glsl::vec3 slant = slant_of(planes, viewer, window);
   parallel_for(0, row_end - row_begin, [&](int j) {
     Text program(bound);
     for (int i = 0; i < window.width; ++i) {
-      program.use_scale(view.scale);
-      const glsl::Position at = program.pixel_position(
-          origin_of(window), window.step_256, {static_cast<uint32_t>(i), static_cast<uint32_t>(row_begin + j)});
+      const glsl::Position at = stack_pixel_position(program, window, view.scale, i, row_begin + j);
       draw(program, i, j, program.window_sight(stack_probes(view, at), slant));
     }
   });
@@ -29,20 +26,19 @@ void for_each_sight(const StackPlanes& planes, const ReliefPlanes& relief, const
 
 }  // namespace
 
-glsl::vec3 slant_of(const StackPlanes& planes, const Direction& viewer, const Window& window, int scale) {
-  const auto texels = static_cast<double>(planes.texels_in(0) / planes.texels_in(scale));
+glsl::vec3 slant_of(const StackPlanes& planes, const Direction& viewer, const Window& window) {
+  const auto texels = static_cast<double>(planes.texels_in(0));
   return {-viewer.x / viewer.z, -viewer.y / viewer.z, static_cast<float>(window.step_256 / (256 * texels))};
 }
 
 Image<V3f> render_relief_rows(const StackPlanes& planes, const ReliefPlanes& relief, const Direction& viewer,
                               const Window& window, int row_begin, int row_end) {
   const ScaleView view = scale_view(planes, window);
-  const Window shown = window_in_scale(planes, window, view.scale);
-  Image<V3f> rows(shown.width, row_end - row_begin);
+  Image<V3f> rows(window.width, row_end - row_begin);
   for_each_sight<glsl::StackRowProgram>(
-      planes, relief, viewer, shown, view, row_begin, row_end,
+      planes, relief, viewer, window, view, row_begin, row_end,
       [&](glsl::StackRowProgram& program, int i, int j, const glsl::StackSight& sight) {
-        const glsl::vec4 value = program.sight_value(sight, smooth_filter(shown.filter));
+        const glsl::vec4 value = program.sight_value(sight, smooth_filter(window.filter));
         rows(i, j) = {value.x, value.y, value.z};
       });
   return rows;

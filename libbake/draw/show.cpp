@@ -94,11 +94,10 @@ V3f shown(const EvaluatorPlanes& planes, Program& program, Show show, const Show
 
 }  // namespace
 
-void check_show(const EvaluatorPlanes& planes, Show show) {
-  const bool lacks_fragments = show == Show::fragments && planes.fragment_idx.empty();
-  const bool lacks_colors = (show == Show::index || show == Show::variation) && planes.dominant.empty();
-  const bool lacks_noise =
-      (show == Show::structure || show == Show::noise || show == Show::masks) && planes.noise_step == 0;
+void check_show(const EvaluatorInput& input, Show show) {
+  const bool lacks_fragments = show == Show::fragments && !input.fragments;
+  const bool lacks_colors = (show == Show::index || show == Show::variation) && !input.colors;
+  const bool lacks_noise = (show == Show::structure || show == Show::noise || show == Show::masks) && !input.noise;
   if (lacks_noise)
     throw Error(
         ErrorKind::usage,
@@ -113,7 +112,6 @@ void check_show(const EvaluatorPlanes& planes, Show show) {
 Image<V3f> show_rows(const EvaluatorPlanes& planes, const Window& window, Show show, int row_begin, int row_end) {
   if (show == Show::color) return render_rows(planes, window, row_begin, row_end);
   check_window(window, planes.size);
-  check_show(planes, show);
   Image<V3f> rows(window.width, row_end - row_begin);
   const glsl::Position origin = origin_of(window);
   parallel_for(0, rows.height(), [&](int j) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libbake/draw/window.h"
+#include "libbake/planes/evaluator_input.h"
 #include "libbake/planes/evaluator_planes.h"
 
 namespace texbake {
@@ -25,11 +26,11 @@ struct EnumNames<Show> {
       {Show::structure, "structure"}, {Show::noise, "noise"},     {Show::masks, "masks"}};
 };
 
-/// Throws Error(usage) when the planes lack what is to be shown.
-void check_show(const EvaluatorPlanes& planes, Show show);
+/// Throws Error(usage) when what the planes are made of lacks what is to be shown.
+void check_show(const EvaluatorInput& input, Show show);
 
-/// Rows of the window in linear Rec.709. All views but `color` show the nearest texel, whatever the filter. Throws
-/// as check_show does.
+/// Rows of the window in linear Rec.709. All views but `color` show the nearest texel, whatever the filter. What
+/// check_show refuses is expected not to be asked for.
 Image<V3f> show_rows(const EvaluatorPlanes& planes, const Window& window, Show show, int row_begin, int row_end);
 
 }  // namespace texbake

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libbake/draw/frame.h"
-#include "libbake/draw/window.h"
+#include "libbake/draw/window_program.h"
 #include "libbake/planes/stack_planes.h"
 
 namespace texbake {
@@ -27,23 +27,19 @@ ScaleView scale_view(const StackPlanes& planes, const Window& window);
 /// Origin and step of a window count in texels of the finest scale. Throws as check_window does.
 Image<V3f> render_stack_rows(const StackPlanes& planes, const Window& window, int row_begin, int row_end);
 
-/// The same with a view of the caller's choice. The window counts in texels of `view.scale`.
+/// The same with a view of the caller's choice.
 Image<V3f> render_scale_rows(const StackPlanes& planes, const Window& window, const ScaleView& view, int row_begin,
                              int row_end);
 
 /// What the text calls StackProbes: one point.
 glsl::StackProbes stack_probes(const ScaleView& view, const glsl::Position& at);
 
-/// What the text calls smooth_filter.
-inline int smooth_filter(Filter filter) {
-  return filter == Filter::nearest ? glsl::kFilterNearest : glsl::kFilterBilinear;
-}
+/// The planes, bound for a window, which counts in texels of the finest scale. Throws as check_window does.
+glsl::Program window_program_of(const StackPlanes& planes, const Window& window);
 
-/// A window that counts in texels of the finest scale, in texels of a coarser one; its step is at least 1/256 there.
-Window window_in_scale(const StackPlanes& planes, const Window& window, int scale);
-
-/// A repetition of the finest tile near a window that counts in texels of `scale`: the reference of program_of.
-glsl::uvec2 reference_near(const StackPlanes& planes, const Window& window, int scale);
+/// The center of pixel (i, j) in `scale`, which is in use then: exactly that of the finest scale, rounded down to 1/256
+/// texel. Windows of one step hence fit together wherever they begin.
+glsl::Position stack_pixel_position(glsl::Program& program, const Window& window, int scale, int i, int j);
 
 /// The window with the decisions of `view.scale` behind it, point by point, for comparison with a GPU.
 Frame reference_stack_frame(const StackPlanes& planes, const Window& window, const ScaleView& view);

@@ -3,6 +3,7 @@
 #include <Imath/ImathVec.h>
 
 #include "libbake/base/parallel.h"
+#include "libbake/draw/relief_window.h"
 #include "libbake/draw/window_program.h"
 
 namespace texbake {
@@ -10,6 +11,9 @@ namespace {
 
 using glsl::Position;
 using glsl::vec4;
+
+/// In texels of the coarsest scale: relief is then seen without levels of detail, and parallax does not fade.
+constexpr float kPointWidth = 1e-3f;
 
 /// Sample k of pixel i of an axis, in 1/256 texel from the window's corner.
 uint64_t place_256(const Window& window, int i, int k, int samples) {
@@ -53,26 +57,30 @@ Image<V3f> supersampled_rows(const EvaluatorPlanes& planes, const Plane& plane, 
                              int row_begin, int row_end) {
   check_window(window, planes.size);
   const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
-  const int kind = plane_kind(plane.kind);
-  const auto value = [&](glsl::Program& program, const Position& at) {
-    return window.filter == Filter::nearest ? program.texel_value(texels, kind, levels, program.texel_at(at))
-                                            : program.level_value(texels, kind, levels, at, 0);
+  const int kind = plane_kind(plane.kind), smooth = smooth_filter(window.filter);
+  Window point = window;  // of level 0, whatever its pixels see
+  point.filter = smooth == glsl::kFilterNearest ? Filter::nearest : Filter::bilinear;
+  const auto value = [=](glsl::Program& program, const Position& at) {
+    if (program.deformed != 0) return program.deformed_value(texels, kind, levels, at, smooth, 0);
+    return smooth == glsl::kFilterNearest ? program.texel_value(texels, kind, levels, program.texel_at(at))
+                                          : program.level_value(texels, kind, levels, at, 0);
   };
-  return mean_rows(program_of(planes, window.seed), window, planes.size, samples, row_begin, row_end, value);
+  return mean_rows(program_of(planes, point), window, planes.size, samples, row_begin, row_end, value);
 }
 
-Image<V3f> supersampled_stack_rows(const StackPlanes& planes, const Window& window, int samples, int row_begin,
-                                   int row_end) {
+Image<V3f> supersampled_stack_rows(const StackPlanes& planes, const ReliefPlanes* relief, const Direction& viewer,
+                                   const Window& window, int samples, int row_begin, int row_end) {
   const ScaleView view = scale_view(planes, window.step_256 / 256.0);
-  const Window shown = window_in_scale(planes, window, view.scale);
-  const V2i tile_size = planes.sizes[static_cast<size_t>(view.scale)];
-  check_window(shown, tile_size);
-  const int smooth = window.filter == Filter::nearest ? 0 : 1;
+  const int smooth = smooth_filter(window.filter);
+  glsl::Program bound = window_program_of(planes, window);
+  if (relief) bind_relief(bound, *relief);
+  glsl::vec3 slant = slant_of(planes, viewer, window);
+  slant.z = kPointWidth;
   const auto value = [&](glsl::Program& program, const Position& at) {
-    return program.stack_probes_value(stack_probes(view, at), smooth);
+    const Position seen = program.position_in_scale(at, planes.finest(), view.scale);
+    return program.sight_value(program.window_sight(stack_probes(view, seen), slant), smooth);
   };
-  return mean_rows(program_of(planes, shown.seed, reference_near(planes, shown, view.scale)), shown, tile_size, samples,
-                   row_begin, row_end, value);
+  return mean_rows(bound, window, planes.sizes.back(), samples, row_begin, row_end, value);
 }
 
 }  // namespace texbake

@@ -3,6 +3,7 @@
 
 #include "libbake/draw/stack_window.h"
 #include "libbake/planes/evaluator_planes.h"
+#include "libbake/planes/relief_planes.h"
 
 namespace texbake {
 
@@ -13,8 +14,8 @@ Image<V3f> supersampled_rows(const EvaluatorPlanes& planes, const Plane& plane, 
                              int row_begin, int row_end);
 
 /// The same of a stack, whose window counts in texels of the finest scale: points of level 0 of the scales that show at
-/// its step, faded as they are there.
-Image<V3f> supersampled_stack_rows(const StackPlanes& planes, const Window& window, int samples, int row_begin,
-                                   int row_end);
+/// its step, faded as they are there, moved and lit by `relief` where there is one, as `viewer` sees it.
+Image<V3f> supersampled_stack_rows(const StackPlanes& planes, const ReliefPlanes* relief, const Direction& viewer,
+                                   const Window& window, int samples, int row_begin, int row_end);
 
 }  // namespace texbake

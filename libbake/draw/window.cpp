@@ -26,10 +26,14 @@ void check_window(const Window& window, V2i tile_size) {
                                               longest, window.step_256));
 }
 
-int level_256_of(const Window& window, int level_count) {
-  if (window.filter == Filter::nearest || window.filter == Filter::bilinear || window.step_256 <= 256) return 0;
-  const double level = portable_log(window.step_256 / 256.0) / portable_log(2);
+int level_256_of(double texels, Filter filter, int level_count) {
+  if (filter == Filter::nearest || filter == Filter::bilinear || texels <= 1) return 0;
+  const double level = portable_log(texels) / portable_log(2);
   return std::min(static_cast<int>(std::lround(256 * level)), 256 * (level_count + 1));
+}
+
+int level_256_of(const Window& window, int level_count) {
+  return level_256_of(window.step_256 / 256.0, window.filter, level_count);
 }
 
 }  // namespace texbake

@@ -37,8 +37,11 @@ struct Window {
 /// Throws Error(usage) when the window is empty, its origin is outside its tile, or side · step reaches 2^32.
 void check_window(const Window& window, V2i tile_size);
 
-/// The level of detail at which a window is drawn, in 1/256: 256 · log2(step / 256) for trilinear and anisotropic
-/// filters, rounded, in 0 … 256 (level_count + 1); 0 for the others.
+/// The level of detail of pixels that are `texels` wide, in 1/256: 256 · log2(texels), rounded, in 0 … 256 (level_count
+/// + 1), for trilinear and anisotropic filters; 0 for the others.
+int level_256_of(double texels, Filter filter, int level_count);
+
+/// The same of the pixels of a window.
 int level_256_of(const Window& window, int level_count);
 
 }  // namespace texbake

@@ -136,20 +136,35 @@ void draw_bilinear(RowProgram program, const Value& value, const Window& window,
   }
 }
 
-/// Every pixel by itself, at one level of detail.
-Image<V3f> draw_levels(const glsl::Program& shared, const Plane& plane, const Window& window, int level_256,
-                       int row_begin, int row_end) {
-  const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
-  const int kind = plane_kind(plane.kind);
+/// Every pixel by itself: value(program, its position).
+template <class Value>
+Image<V3f> draw_pixels(const glsl::Program& shared, const Window& window, int row_begin, int row_end,
+                       const Value& value) {
   Image<V3f> rows(window.width, row_end - row_begin);
   parallel_for(0, rows.height(), [&](int j) {
     glsl::Program program = shared;
-    for (int i = 0; i < rows.width(); ++i) {
-      const Position at = position_of(program, window, i, row_begin + j);
-      rows(i, j) = color_of(program.trilinear_value(texels, kind, levels, at, level_256));
-    }
+    for (int i = 0; i < rows.width(); ++i)
+      rows(i, j) = color_of(value(program, position_of(program, window, i, row_begin + j)));
   });
   return rows;
+}
+
+/// At one level of detail.
+Image<V3f> draw_levels(const glsl::Program& program, const Plane& plane, const Window& window, int level_256,
+                       int row_begin, int row_end) {
+  const glsl::sampler2D texels = sampler_of(plane.texels), levels = sampler_of(plane.level_values);
+  const int kind = plane_kind(plane.kind);
+  return draw_pixels(program, window, row_begin, row_end, [=](glsl::Program& p, const Position& at) {
+    return p.trilinear_value(texels, kind, levels, at, level_256);
+  });
+}
+
+Image<V3f> draw_deformed(const EvaluatorPlanes& planes, const Window& window, int row_begin, int row_end) {
+  const int kind = plane_kind(planes.base.kind), level_256 = level_256_of(window, planes.level_count);
+  const int smooth = smooth_filter(window.filter);
+  return draw_pixels(program_of(planes, window), window, row_begin, row_end, [=](glsl::Program& p, const Position& at) {
+    return p.deformed_value(p.base, kind, p.base_levels, at, smooth, level_256);
+  });
 }
 
 /// At level 0, `value` being that of a texel.
@@ -190,12 +205,7 @@ Image<V3f> draw_texels(const EvaluatorPlanes& planes, const Plane& plane, const 
 
 Image<V3f> render_rows(const EvaluatorPlanes& planes, const Window& window, int row_begin, int row_end) {
   check_window(window, planes.size);
-  if (!window.deformation.is_identity()) {
-    const auto deformed = [](RowProgram& program, const Texel& texel) {
-      return program.deformed_value(program.base, texel);
-    };
-    return draw(program_of(planes, window), deformed, window, row_begin, row_end);
-  }
+  if (!window.deformation.is_identity()) return draw_deformed(planes, window, row_begin, row_end);
   if (const int level_256 = level_256_of(window, planes.level_count); level_256 > 0)
     return draw_levels(program_of(planes, window.seed), planes.base, window, level_256, row_begin, row_end);
   const auto value = [](RowProgram& program, const Texel& texel) {

@@ -150,15 +150,15 @@ void GlRenderer::draw_only(const Perspective& view, const Plane& plane, int row_
 void GlRenderer::draw_only(const Window& window, const ScaleView& view, const Direction& viewer) {
   State& s = *state_;
   assert(s.stack);
-  check_window(window, s.stack->sizes[static_cast<size_t>(view.scale)]);
+  check_window(window, s.stack->sizes.back());
   s.begin(window.width, window.height, nullptr);
   glsl::MainUniforms main = main_uniforms(window);
   main.view_scale = view.scale;
   main.level_256 = view.level_256;
   main.fading = view.fading;
   main.variation = view.variation;
-  main.slant = slant_of(*s.stack, viewer, window, view.scale);
-  s.draw(s.stack_program(window.seed, reference_near(*s.stack, window, view.scale)), main);
+  main.slant = slant_of(*s.stack, viewer, window);
+  s.draw(s.stack_program(window.seed, {window.origin_x.tile, window.origin_y.tile}), main);
 }
 
 void GlRenderer::draw_only(const Perspective& view, int row_begin, int row_end) {

@@ -35,7 +35,7 @@ class GlRenderer {
   Frame draw(const Perspective& view, const Plane& plane);
   Frame draw(const Perspective& view, const Plane& plane, int row_begin, int row_end);
 
-  /// The window, which counts in texels of `view.scale`: what reference_stack_frame gives, or relief_frame.
+  /// The window of a stack: what reference_stack_frame gives, or relief_frame.
   Frame draw(const Window& window, const ScaleView& view, const Direction& viewer = {});
   /// Rows of a perspective view, with a renderer of stack_perspective_fragment_shader: as stack_perspective_frame gives
   /// them.

@@ -42,8 +42,8 @@ Image<V3f> gl_rows(GlRenderer& renderer, const EvaluatorPlanes& planes, const Pl
 Image<V3f> gl_rows(GlRenderer& renderer, const StackPlanes& planes, const Direction& viewer, const Window& window,
                    int row_begin, int row_end) {
   const ScaleView view = scale_view(planes, window);
-  return rows_of(window_in_scale(planes, window, view.scale), planes.sizes[static_cast<size_t>(view.scale)], row_begin,
-                 row_end, [&](const Window& part) { return renderer.draw(part, view, viewer); });
+  return rows_of(window, planes.sizes.back(), row_begin, row_end,
+                 [&](const Window& part) { return renderer.draw(part, view, viewer); });
 }
 
 }  // namespace texbake

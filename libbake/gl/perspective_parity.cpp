@@ -77,8 +77,8 @@ PerspectiveParity check_relief_parity(const StackPlanes& planes, const ReliefPla
   PerspectiveParity parity;
   const std::vector<ScaleView> views = parity_views(planes);
   for (size_t i = 0; i < views.size(); ++i) {
-    const V2i size = planes.sizes[static_cast<size_t>(views[i].scale)];
-    Window window = parity_windows(size, {.windows = 4, .seed = static_cast<uint32_t>(i)})[i % 4];
+    const ParityOptions options{.windows = 4, .seed = static_cast<uint32_t>(i)};
+    Window window = seen_from_afar(planes, parity_windows(planes.sizes.back(), options)[i % 4], views[i].scale);
     window.width = kWidth;
     window.height = kHeight;
     const Direction& viewer = kViewers[i % 3];

@@ -20,6 +20,12 @@ std::vector<ScaleView> parity_views(const StackPlanes& planes) {
   return views;
 }
 
+Window seen_from_afar(const StackPlanes& planes, const Window& window, int scale) {
+  Window far = window;
+  far.step_256 *= static_cast<uint32_t>(planes.texels_in(scale));
+  return far;
+}
+
 ParityReport check_stack_parity(const StackPlanes& planes, const GlContext& context, const ParityOptions& options) {
   GlRenderer renderer(context, planes);
   ParityReport report;
@@ -33,16 +39,14 @@ ParityReport check_stack_parity(const StackPlanes& planes, const GlContext& cont
       return std::find(scale.begin(), scale.end(), false) == scale.end();
     });
   };
-  // Windows for each size of tile; a view takes the next one of its scale.
   ParityOptions longest = options;
   longest.windows = std::max(options.windows, options.most_windows);
-  std::vector<std::vector<Window>> windows;
-  for (const V2i& size : planes.sizes) windows.push_back(parity_windows(size, longest));
+  const std::vector<Window> windows = parity_windows(planes.sizes.back(), longest);
   const std::vector<ScaleView> views = parity_views(planes);
   for (int i = 0; i < longest.windows && (i < options.windows || !all_seen()); ++i) {
     const ScaleView& view = views[static_cast<size_t>(i) % views.size()];
     const auto scale = static_cast<size_t>(view.scale);
-    const Window& window = windows[scale][static_cast<size_t>(i)];
+    const Window window = seen_from_afar(planes, windows[static_cast<size_t>(i)], view.scale);
     const Frame expected = reference_stack_frame(planes, window, view);
     count_contents(expected, planes.content_counts[scale], seen[scale]);
     add_frames(report, window, "stack", expected, renderer.draw(window, view));

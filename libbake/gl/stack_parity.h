@@ -9,6 +9,9 @@ namespace texbake {
 /// detail that was added, in turn.
 std::vector<ScaleView> parity_views(const StackPlanes& planes);
 
+/// The window with its pixels as many times as wide as texels of `scale` are beside those of the finest.
+Window seen_from_afar(const StackPlanes& planes, const Window& window, int scale);
+
 /// The windows of parity_windows, each with a view; more are drawn until every content of every scale was seen.
 ParityReport check_stack_parity(const StackPlanes& planes, const GlContext& context, const ParityOptions& options = {});
 

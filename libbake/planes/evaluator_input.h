@@ -43,6 +43,8 @@ struct EvaluatorInput {
   std::vector<MapInput> maps;
   std::optional<NoiseInput> noise = {};  ///< added to the base, which is then the structure
   int soft_border_px = 0;                ///< over how many texels on either side of their border patches blend; 0: hard
+  bool grain_apart = false;  ///< for deformed windows: levels of detail of the base hold the structure alone, and those
+                             ///< of the noises keep the noises' means
 };
 
 /// Whether one of its maps is a height map, so that it can be drawn with relief.

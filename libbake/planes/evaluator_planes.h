@@ -43,13 +43,14 @@ struct TilePlanes : glsl::NoiseUniforms {
   Image<glsl::ivec4> centers;   ///< (c.x, c.y, 0, 0)
   Plane base;                   ///< of kind `structure` with noise
   std::vector<Plane> maps;
-  NoiseMean noise_mean;           ///< of the noises
+  NoiseMean noise_mean;           ///< of the noises; 0 where the grain is apart
   Image<glsl::MaskTexel> masks;   ///< RGBA16UI, in 1/2048; one texel without noise
   Image<glsl::vec4> noise_tiles;  ///< one below the other, their levels of detail (noise_levels.h) to the right,
                                   ///< RGBA32F (or RGBA16F); one texel without noise
 
-  int soft_border_px = 0;   ///< as in EvaluatorInput
-  Image<float> noise_gain;  ///< what levels have the noise of each texel multiplied with; empty: 1
+  int soft_border_px = 0;    ///< as in EvaluatorInput
+  bool grain_apart = false;  ///< as in EvaluatorInput
+  Image<float> noise_gain;   ///< what levels have the noise of each texel multiplied with; empty: 1
 
   Image<uint32_t> fragment_idx;  ///< empty without fragments
   Image<float> variation;        ///< empty without colors

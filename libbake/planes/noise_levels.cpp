@@ -20,8 +20,9 @@ Image<V3d> halved_noise(const Image<V3d>& finer, int row_step) {
   return coarser;
 }
 
-void fill_noise_levels(Image<glsl::vec4>& noise_tiles, V2i size, int row_step, V2i first,
+void fill_noise_levels(Image<glsl::vec4>& noise_tiles, const NoiseLevels& of, V2i first,
                        const std::function<V3d(const V3d&)>& value) {
+  const V2i size = of.size;
   Image<V3d> blocks(size.x, size.y);
   V3d mean(0);
   for (int y = 0; y < size.y; ++y)
@@ -30,11 +31,11 @@ void fill_noise_levels(Image<glsl::vec4>& noise_tiles, V2i size, int row_step, V
       blocks(x, y) = value(V3d(double{v.x}, double{v.y}, double{v.z}));
       mean += blocks(x, y);
     }
-  mean /= static_cast<double>(blocks.size());
+  mean = of.keeps_mean ? V3d(0) : mean / static_cast<double>(blocks.size());
 
   int row = first.y;
   while (blocks.height() > 1) {
-    blocks = halved_noise(blocks, row_step);
+    blocks = halved_noise(blocks, of.row_step);
     for (int y = 0; y < blocks.height(); ++y)
       for (int x = 0; x < size.x; ++x) {
         const V3f rest = half_exact(V3f(blocks(x, y) - mean));

@@ -14,10 +14,17 @@ namespace texbake {
 /// texels: half as many rows (of one row half the width), with the same `row_step` (NoiseInput).
 Image<Imath::V3d> halved_noise(const Image<Imath::V3d>& finer, int row_step);
 
-/// Fills one of the columns right of the noise of `size`, powers of two, at (0, first_row) of `noise_tiles`, from texel
-/// first_column on: level l = 1 … log2(size.y) has size.y / 2^l rows, level 1 on top, the next below it. A value is the
-/// mean over a block of texels of `value(v)`, less its mean over the whole noise, in double, rounded to half.
-void fill_noise_levels(Image<glsl::vec4>& noise_tiles, V2i size, int row_step, V2i first,
+/// Of which noise levels are made, and how.
+struct NoiseLevels {
+  V2i size;         ///< powers of two
+  int row_step;     ///< as in NoiseInput
+  bool keeps_mean;  ///< that of the whole noise, which is else taken away
+};
+
+/// Fills one of the columns right of the noise at (0, first.y) of `noise_tiles`, from texel first.x on: level
+/// l = 1 … log2(size.y) has size.y / 2^l rows, level 1 on top, the next below it. A value is the mean over a block of
+/// texels of `value(v)`, in double, rounded to half.
+void fill_noise_levels(Image<glsl::vec4>& noise_tiles, const NoiseLevels& of, V2i first,
                        const std::function<Imath::V3d(const Imath::V3d&)>& value);
 
 }  // namespace texbake

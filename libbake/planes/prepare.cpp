@@ -160,6 +160,7 @@ TilePlanes prepare_tile(const EvaluatorInput& input) {
   planes.patch_count = planes.centers.width();
   planes.contents = content_table(input, planes.patch_count, planes.size);
   planes.content_count = planes.contents.width();
+  planes.grain_apart = input.grain_apart;
   add_noise(input.noise, planes);
   for (const MapInput& map : input.maps) planes.maps.push_back(map_plane(map, planes.size));
   if (input.fragments) {

@@ -103,17 +103,37 @@ V3d root_share(const TilePlanes& planes, size_t k) {
   return {ratio(structure.x, whole.x), ratio(structure.y, whole.y), ratio(structure.z, whole.z)};
 }
 
-void fill_levels(int count, TilePlanes& planes) {
+/// Where the grain is apart, a block of a root adds Σ w_k n_k², the squares' levels: right where each texel has one
+/// noise. Where masks blend, (Σ w_k n_k)² is less. By how much on the average over the tile: the means of the two.
+V3d square_share(const TilePlanes& planes, const NoiseMean& mean) {
+  V3d blended(0);
+  V3d apart(0);
+  for (const glsl::MaskTexel& texel : planes.masks) {
+    Imath::V4f weights(0);
+    for (int k = 0; k < static_cast<int>(kMaxNoises); ++k) {
+      if (texel.weights[k] == 0) continue;
+      Imath::V4f alone(0);
+      alone[k] = 1;
+      weights[k] = static_cast<float>(texel.weights[k]) / kSteps;
+      apart += mean.change(V3f(0), alone) * double{weights[k]};
+    }
+    blended += mean.change(V3f(0), weights);
+  }
+  const auto ratio = [](double part, double all) { return all > 0 ? part / all : 1.0; };
+  return {ratio(blended.x, apart.x), ratio(blended.y, apart.y), ratio(blended.z, apart.z)};
+}
+
+void fill_levels(int count, const NoiseMean& mean, TilePlanes& planes) {
   const V2i size(1 << planes.noise_log2.x, 1 << planes.noise_log2.y);
+  const V3d squares = planes.grain_apart && planes.noise_root != 0 ? square_share(planes, mean) : V3d(1);
   parallel_for(0, count, [&](int k) {
     const bool in_root = planes.noise_root != 0;
     const V3d share = in_root ? root_share(planes, static_cast<size_t>(k)) : V3d(1);
     const int row = k * size.y;
-    fill_noise_levels(planes.noise_tiles, size, planes.noise_step, {size.x, row},
-                      [&](const V3d& v) { return v * share; });
+    const NoiseLevels of{size, planes.noise_step, planes.grain_apart};
+    fill_noise_levels(planes.noise_tiles, of, {size.x, row}, [&](const V3d& v) { return v * share; });
     if (in_root)
-      fill_noise_levels(planes.noise_tiles, size, planes.noise_step, {2 * size.x, row},
-                        [](const V3d& v) { return v * v; });
+      fill_noise_levels(planes.noise_tiles, of, {2 * size.x, row}, [&](const V3d& v) { return v * v * squares; });
   });
 }
 
@@ -130,10 +150,11 @@ void add_noise(const std::optional<NoiseInput>& input, TilePlanes& planes) {
   planes.noise_log2 = {log2_of(input->tiles.front().width()), log2_of(input->tiles.front().height())};
   planes.noise_step = input->row_step;
   planes.noise_root = input->space == NoiseSpace::root ? 1 : 0;
-  planes.noise_mean = NoiseMean(input->tiles, input->space);
+  const NoiseMean mean(input->tiles, input->space);
+  if (!planes.grain_apart) planes.noise_mean = mean;
   planes.masks = mask_plane(*input, planes.size);
   planes.noise_tiles = stacked(*input);
-  fill_levels(static_cast<int>(input->tiles.size()), planes);
+  fill_levels(static_cast<int>(input->tiles.size()), mean, planes);
 }
 
 }  // namespace texbake

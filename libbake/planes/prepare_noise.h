@@ -7,8 +7,8 @@
 
 namespace texbake {
 
-/// Sets masks, noises and the kind of the base of `planes`, whose base is there. Throws Error(bad_data) for noises that
-/// do not fit.
+/// Sets masks, noises and the kind of the base of `planes`, whose base and grain_apart are there. Throws
+/// Error(bad_data) for noises that do not fit.
 void add_noise(const std::optional<NoiseInput>& input, TilePlanes& planes);
 
 }  // namespace texbake

@@ -80,6 +80,8 @@ struct DeformUniforms {
   ivec2 deform_from{0, 0};
   uvec2 deform_to_tile{0, 0};
   ivec4 deform_to{0, 0, 0, 0};
+  ivec2 deform_axis_256{0, 0};
+  ivec2 deform_probes{0, 0};
   ivec2 turbulence{0, 6};
 
   template <class Self, class Visitor>
@@ -90,6 +92,8 @@ struct DeformUniforms {
     visit("deform_from", self.deform_from);
     visit("deform_to_tile", self.deform_to_tile);
     visit("deform_to", self.deform_to);
+    visit("deform_axis_256", self.deform_axis_256);
+    visit("deform_probes", self.deform_probes);
     visit("turbulence", self.turbulence);
   }
 };

@@ -36,9 +36,9 @@ struct Program : Samplers, NoiseUniforms, LevelUniforms, TileUniforms, DeformUni
 //
 #include "shaders/noise.glsl"
 //
-#include "shaders/deform.glsl"
-//
 #include "shaders/levels.glsl"
+//
+#include "shaders/deform.glsl"
 //
 #include "shaders/scales.glsl"
 //

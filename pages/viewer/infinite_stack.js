@@ -9,7 +9,8 @@ class InfiniteStack extends InfiniteTexture {
     this.scales = texture.scales;
     this.finest = this.scales.length - 1;
     this.size = this.scales[this.finest].size;
-    this.farthest_step_256 *= this.texelsIn(0);
+    // Places of 4096 pixels, in 1/256 texel of the finest scale, fit the shader's 32 bits.
+    this.farthest_step_256 = Math.min(this.farthest_step_256 * this.texelsIn(0), 2 ** 20 - 2 ** 10);
   }
 
   // Texels of the finest scale along one texel of `scale`.
@@ -17,7 +18,8 @@ class InfiniteStack extends InfiniteTexture {
     return this.scales.slice(scale + 1).reduce((texels, finer) => texels * finer.ratio, 1);
   }
 
-  // The scale that shows where a pixel is `step_256` of the finest scale, how far it has faded, and its step and level.
+  // The scale that shows where a pixel is `step_256` of the finest scale, how far it has faded, its level,
+  // and how many of its texels lie along a pixel.
   viewOf(step_256) {
     let texels = step_256 / 256;
     let scale = this.finest;
@@ -28,7 +30,7 @@ class InfiniteStack extends InfiniteTexture {
     return {
       scale, fading,
       variation: fading > 0 ? Math.max(0, 1 - variation_fade * fading) : 1,
-      step_256: Math.max(1, Math.round(step_256 / this.texelsIn(scale))),
+      step_256, texels,
       level_256: Math.max(0, Math.min(256 * last_level, Math.round(256 * Math.log2(texels)))),
     };
   }
@@ -50,24 +52,22 @@ class InfiniteStack extends InfiniteTexture {
   windowUniforms(origin, seed, view) {
     const {scales, texture} = this;
     const {scale, level_256, fading, variation} = view;
-    const texels = BigInt(this.texelsIn(scale));
-    const corner = {x: floorDivided(origin.x, texels), y: floorDivided(origin.y, texels)};
     return {
       ...texture,
       scale_count: scales.length, stack_seed: seed, finest_noise_step: texture.noise_step,
       ...this.nestingNear(origin),
-      ...originUniforms(corner, scales[scale].size),
+      ...originUniforms(origin, this.size),
       view_scale: scale, level_256, fading, variation,
       ...this.reliefUniforms(view),
     };
   }
 
   // Towards a viewer; flat without one.
-  reliefUniforms({viewer, step_256, scale}) {
+  reliefUniforms({viewer, step_256}) {
     const {relief} = this.texture;
     if (!relief || !viewer) return {relief_depth: 0};
     const [x, y, z] = viewer;
-    const slant = [-x / z, -y / z, step_256 / 256 / (this.texelsIn(0) / this.texelsIn(scale))];
+    const slant = [-x / z, -y / z, step_256 / 256 / this.texelsIn(0)];
     const uniforms = Object.entries(relief).map(([name, value]) => [`relief_${name}`, value]);
     return {slant, ...Object.fromEntries(uniforms)};
   }

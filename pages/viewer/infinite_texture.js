@@ -26,12 +26,12 @@ class InfiniteTexture {
     const gl = this.gl;
     const view = this.viewOf(step_256);
     // Colors have levels of detail; what is a label has none, and is sampled.
-    const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(view.step_256 / 256)));
+    const samples = show === 0 ? 1 : Math.max(1, Math.min(8, Math.floor(view.texels)));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     this.use(this.viewer, {
       ...this.windowUniforms(origin, seed, {...view, viewer}),
-      step_256: Math.max(1, Math.floor(view.step_256 / samples)),
+      step_256: Math.max(1, Math.floor(step_256 / samples)),
       samples,
       height_px: gl.drawingBufferHeight,
       show,
@@ -39,10 +39,11 @@ class InfiniteTexture {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  // How a window with that step is seen: its step, and its level of detail.
+  // How a window with that step is seen: its step, the texels along a pixel, and its level of detail.
   viewOf(step_256) {
     const last_256 = 256 * (this.texture.level_count + 1);
-    return {step_256, level_256: Math.max(0, Math.min(last_256, Math.round(256 * Math.log2(step_256 / 256))))};
+    const texels = step_256 / 256;
+    return {step_256, texels, level_256: Math.max(0, Math.min(last_256, Math.round(256 * Math.log2(texels))))};
   }
 
   // What the reference shader decides and shows at points {tile: [x, y], offset_256: [x, y], seed, …}: for each the patch,

@@ -1,6 +1,6 @@
 // Draws a window of a stack of scales for the eye, as viewer.frag does of one tile: the scale that shows, and how it is put
 // together.
-uniform uvec2 origin_tile;   // as in stack.frag, in terms of the scale that shows, as are the next five
+uniform uvec2 origin_tile;   // as in stack.frag, as are the next seven
 uniform ivec2 origin_offset;
 uniform uint step_256;
 uniform int view_scale;
@@ -48,8 +48,9 @@ void main() {
   for (int j = 0; j < samples; ++j)
     for (int i = 0; i < samples; ++i) {
       uvec2 place = pixel * uint(samples) + uvec2(uint(i), uint(j));
-      use_scale(view_scale);
-      sum += sample_color(pixel_position(origin, step_256, place));
+      use_scale(scale_count - 1);
+      Position at = pixel_position(origin, step_256, place);
+      sum += sample_color(position_in_scale(at, scale_count - 1, view_scale));
     }
   screen = vec4(srgb_from_linear(sum / float(samples * samples)), 1.0);
 }

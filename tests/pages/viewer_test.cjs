@@ -120,7 +120,7 @@ async function checkHandling(browser) {
 async function checkScales(browser) {
   const {page, problems} = await open(browser, 'stack', 160, 120);
   const views = await page.evaluate(() => [256, 1280].map((step) => texbake.texture.viewOf(step)));
-  assert.deepStrictEqual(views.map(({scale, fading, step_256}) => [scale, fading, step_256]), [[1, 0, 256], [0, 0, 256]]);
+  assert.deepStrictEqual(views.map(({scale, fading, texels}) => [scale, fading, texels]), [[1, 0, 1], [0, 0, 1]]);
   let before = [];
   for (const step of [64, 600, 1280]) {
     await page.evaluate((step_256) => { texbake.view.step_256 = step_256; texbake.redraw(); }, step);

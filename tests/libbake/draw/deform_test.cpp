@@ -5,6 +5,7 @@
 #include "libbake/base/error.h"
 #include "libbake/draw/compare.h"
 #include "libbake/draw/frame.h"
+#include "libbake/draw/supersample.h"
 #include "libbake/draw/window_program.h"
 #include "libbake/draw/window_rows.h"
 #include "small_tile.h"
@@ -40,10 +41,136 @@ TEST(Deform, TheIdentityTakesEveryTexelFromItself) {
   glsl::Program program = program_of(planes, window);
   for (uint32_t y = 0; y < 64; ++y)
     for (uint32_t x = 0; x < 64; ++x) {
-      const glsl::Texel at = program.texel_at(program.pixel_position(origin_of(window), 256, {x, y}));
-      EXPECT_EQ(program.deformed_value(program.base, at),
-                program.layered_value(program.base, at, program.texel_source(at)));
+      const glsl::Position at = program.pixel_position(origin_of(window), 256, {x, y});
+      const glsl::Texel texel = program.texel_at(at);
+      EXPECT_EQ(program.deformed_value(program.base, glsl::kPlaneStructure, program.base_levels, at,
+                                       glsl::kFilterBilinear, 0),
+                program.layered_value(program.base, texel, program.texel_source(texel)));
     }
+}
+
+/// What a deformed window reads, with soft borders where they are wider than 0.
+EvaluatorPlanes planes_apart(const SmallTile& tile, int soft_border_px) {
+  EvaluatorInput input = tile.input();
+  input.soft_border_px = soft_border_px;
+  input.grain_apart = true;
+  return prepare(input);
+}
+
+TEST(Deform, SoftBordersAreDeformedToo) {
+  for (const bool has_noise : {false, true}) {
+    SmallTile tile = random_tile({40, 24}, 5, Contents::turned, 66);
+    if (has_noise) add_noise(tile, 3, 16, 66);
+    const EvaluatorPlanes soft = planes_apart(tile, 3), hard = planes_apart(tile, 0);
+    const Window whole = deformed_window({40, 24}, -333, 1017, {64, 64}, {});
+    // By the quarter, every texel is a texel of the undeformed picture, borders and all; noise aside.
+    const Window turned = deformed_window({40, 24}, 0, 0, {64, 64}, {.rotate_degrees = 90});
+    Window plain = deformed_window({40, 24}, 0, -64, {64, 64}, {});
+    const Image<V3f> found = render(soft, turned), expected = render(soft, plain), without = render(hard, turned);
+    int differing = 0;
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 64; ++x) {
+        if (!has_noise) {
+          EXPECT_EQ(found(x, y), expected(y, 63 - x));
+        }
+        if (found(x, y) != without(x, y)) ++differing;
+      }
+    EXPECT_GT(differing, 400) << "borders are soft";
+    glsl::Program program = program_of(soft, whole);
+    const int kind = plane_kind(soft.base.kind);
+    for (int i = 0; i < 64; ++i) {
+      const glsl::Position at = program.pixel_position(origin_of(whole), 256, {static_cast<uint32_t>(i), 7});
+      EXPECT_EQ(program.deformed_value(program.base, kind, program.base_levels, at, glsl::kFilterBilinear, 0),
+                program.texel_value(program.base, kind, program.base_levels, program.texel_at(at)))
+          << "by the identity";
+    }
+  }
+}
+
+/// The mean difference of two pictures, and that of their means.
+struct PictureDifference {
+  double mean = 0;
+  double bias = 0;
+};
+
+PictureDifference picture_difference(const Image<V3f>& a, const Image<V3f>& b) {
+  PictureDifference found;
+  for (size_t i = 0; i < a.size(); ++i) {
+    found.mean += double{(a.data()[i] - b.data()[i]).length()};
+    found.bias += double{a.data()[i].y} - double{b.data()[i].y};
+  }
+  found.mean /= static_cast<double>(a.size());
+  found.bias /= static_cast<double>(a.size());
+  return found;
+}
+
+TEST(Deform, FromAfarEveryFilterIsNearTheMeanOfManyPoints) {
+  SmallTile tile = random_tile({64, 64}, 4, Contents::turned, 67);
+  for (const bool has_noise : {false, true}) {
+    if (has_noise) add_noise(tile, 2, 64, 67);
+    const EvaluatorPlanes planes = planes_apart(tile, 3);
+    for (const DeformationRequest& request :
+         {DeformationRequest{.rotate_degrees = 30}, DeformationRequest{.rotate_degrees = 20, .stretch_x = 4},
+          DeformationRequest{.stretch_x = 0.5, .stretch_y = 1, .turbulence_texels = 4, .turbulence_cell = 256}}) {
+      Window window = deformed_window({64, 64}, -500, 300, {40, 40}, request);
+      window.step_256 = 4 * 256;
+      const Image<V3f> truth = supersampled_rows(planes, planes.base, window, 16, 0, 40);
+      const auto error_of = [&](Filter filter) {
+        window.filter = filter;
+        return picture_difference(render(planes, window), truth);
+      };
+      const double bilinear = error_of(Filter::bilinear).mean;
+      for (const Filter filter : {Filter::trilinear, Filter::anisotropic}) {
+        // Random texels of deviation 1.15: their means over a pixel keep a quarter of it, points all. Trilinear pixels
+        // are as wide as their longer axis.
+        const PictureDifference found = error_of(filter);
+        EXPECT_LT(found.mean, bilinear / (filter == Filter::trilinear ? 1.5 : 3)) << enum_name(filter);
+        // The root of a mean is more than the mean of the roots of white texels, and the noises have a mean.
+        EXPECT_LT(std::abs(found.bias), 0.02) << enum_name(filter);
+      }
+    }
+  }
+}
+
+TEST(Deform, FiltersDoNotPopWhereADeformationOrAStepBegins) {
+  SmallTile tile = tile_with_noise(68);
+  const EvaluatorPlanes planes = planes_apart(tile, 3);
+  EvaluatorInput plain_input = tile.input();
+  plain_input.soft_border_px = 3;
+  const EvaluatorPlanes plain = prepare(plain_input);
+  Window window = deformed_window({40, 24}, 5, 7, {64, 64}, {});
+  window.filter = Filter::trilinear;
+  const Image<V3f> undeformed = render(plain, window);
+  window.deformation = deformation_of({.stretch_x = 1.0001, .stretch_y = 1.0001});
+  // 64 texels by a ten-thousandth and a rounding: 2/256 texel, of texels up to 4 apart.
+  for (const uint32_t step : {256u, 257u}) {
+    window.step_256 = step;
+    if (step == 257) window.width = window.height = 8;
+    const Image<V3f> found = render(planes, window);
+    for (int y = 0; y < window.height; ++y)
+      for (int x = 0; x < window.width; ++x) EXPECT_LT((found(x, y) - undeformed(x, y)).length(), 0.5f);
+  }
+}
+
+TEST(Deform, AFootprintIsThatOfTheMatrix) {
+  const auto footprint = [](const DeformationRequest& request, double texels, int most) {
+    return footprint_of(deformation_of(request), texels, most, 9);
+  };
+  const DeformedFootprint turned = footprint({.rotate_degrees = 30}, 4, 4);
+  EXPECT_EQ(turned.level_256, 512);
+  EXPECT_EQ(turned.halvings, 0);
+  // Stretched four times along x, the structure is seen as through pixels of a quarter of their width.
+  const DeformedFootprint stretched = footprint({.stretch_x = 4}, 8, 4);
+  EXPECT_EQ(stretched.level_256, 256);
+  EXPECT_EQ(stretched.halvings, 2);
+  EXPECT_EQ(std::abs(stretched.axis_256[0]), 0);
+  EXPECT_EQ(std::abs(stretched.axis_256[1]), 8 * 256);
+  const DeformedFootprint blurred = footprint({.stretch_x = 4}, 8, 0);
+  EXPECT_EQ(blurred.level_256, 3 * 256);
+  EXPECT_EQ(blurred.halvings, 0);
+  // Pixels smaller than texels see a texel.
+  EXPECT_EQ(footprint({.stretch_x = 0.5, .stretch_y = 0.5}, 0.1, 0).level_256, 256);
+  EXPECT_EQ(footprint({.stretch_x = 64, .stretch_y = 64}, 0.1, 4).level_256, 0);
 }
 
 TEST(Deform, PositionsAreTheProductRoundedDownWhereverTheAnchorLies) {
@@ -71,13 +198,16 @@ TEST(Deform, PositionsAreTheProductRoundedDownWhereverTheAnchorLies) {
     program.deform_to_tile = {to.tile[0], to.tile[1]};
     program.deform_to = {to.texel[0], to.texel[1], to.fraction_65536[0], to.fraction_65536[1]};
     const TileOffset x = tile_offset(at[0], 0, n.x), y = tile_offset(at[1], 0, n.y);
+    const int part[2] = {round % 2 == 0 ? 128 : static_cast<int>(random.below(256)),
+                         round % 2 == 0 ? 128 : static_cast<int>(random.below(256))};
     const glsl::Position found = program.deformed_position(
-        {{x.tile, y.tile}, {static_cast<int>(x.offset_256 >> 8), static_cast<int>(y.offset_256 >> 8)}});
+        {{x.tile, y.tile}, {static_cast<int>(x.offset_256) + part[0], static_cast<int>(y.offset_256) + part[1]}});
 
-    // The matrix times the texel's center in 1/65536, then down to 1/256.
+    // The matrix times the texel's center in 1/65536, and what is left to the point; then down to 1/256.
     const auto expected = [&](int row) {
       const int64_t a = deformation.matrix[2 * row], b = deformation.matrix[2 * row + 1];
-      return (a * at[0] + b * at[1] + ((a + b) >> 1)) >> 8;
+      const int64_t rest = (a * (part[0] - 128) + b * (part[1] - 128)) >> 8;
+      return (a * at[0] + b * at[1] + ((a + b) >> 1) + rest) >> 8;
     };
     const TileOffset expected_x = tile_offset(0, expected(0), n.x), expected_y = tile_offset(0, expected(1), n.y);
     EXPECT_EQ(found.tile.x, expected_x.tile);
@@ -99,13 +229,15 @@ TEST(Deform, WindowsOfOnePictureFitTogether) {
 
 TEST(Deform, RowsEqualTheReferenceTextPointByPoint) {
   const SmallTile tile = tile_with_noise(63);
-  const EvaluatorPlanes planes = tile.planes();
-  for (const Filter filter : {Filter::nearest, Filter::bilinear}) {
-    Window window = deformed_window({40, 24}, -77, 1000, {48, 48}, {.rotate_degrees = -70, .turbulence_texels = 5});
-    window.step_256 = 200;
-    window.filter = filter;
-    EXPECT_EQ(render(planes, window), color_values(reference_frame(planes, window, planes.base).values));
-  }
+  const EvaluatorPlanes apart = planes_apart(tile, 2);
+  for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::trilinear, Filter::anisotropic})
+    for (const uint32_t step : {200u, 900u}) {
+      Window window = deformed_window({40, 24}, -77, 1000, {48, 48},
+                                      {.rotate_degrees = -70, .stretch_x = 1.5, .turbulence_texels = 5});
+      window.step_256 = step;
+      window.filter = filter;
+      EXPECT_EQ(render(apart, window), color_values(reference_frame(apart, window, apart.base).values));
+    }
 }
 
 TEST(Deform, AQuarterTurnIsTheTurnedPicture) {
@@ -125,7 +257,8 @@ TEST(Deform, TurbulenceIsBoundedAndSmoothAndAnotherSeedIsAnother) {
   glsl::Program program = program_of(planes, window), other = program;
   other.seed = 6;
   const auto texel = [](int x, int y) {
-    return glsl::Texel{{static_cast<uint32_t>(x / 40 - 7), static_cast<uint32_t>(y / 24 - 3)}, {x % 40, y % 24}};
+    return glsl::Position{{static_cast<uint32_t>(x / 40 - 7), static_cast<uint32_t>(y / 24 - 3)},
+                          {x % 40 * 256 + 128, y % 24 * 256 + 128}};
   };
   // Octaves of A, A/2, A/4; the slope of t² (3 − 2 t) is 1.5 at most, of each octave 1.5 · 2 A / cell, and three
   // roundings.

@@ -60,8 +60,7 @@ TEST(StackRowProgram, WhatIsRememberedInAWindowIsWhatIsFoundAnew) {
       window.step_256 = step_256;
       window.filter = filter;
       const ScaleView view = scale_view(planes, window);
-      const Window shown = window_in_scale(planes, window, view.scale);
-      EXPECT_TRUE(render_stack_rows(planes, window, 0, 30) == colors_of(reference_stack_frame(planes, shown, view)))
+      EXPECT_TRUE(render_stack_rows(planes, window, 0, 30) == colors_of(reference_stack_frame(planes, window, view)))
           << enum_name(filter) << " " << step_256;
     }
 }
