@@ -1,18 +1,18 @@
-// What an engine's captured frame shows, read from a file. The format is specified by cli/camera.schema.json.
+// What an engine's captured frame shows, read from a file: a window, or an endless plane in perspective. The format is
+// specified by cli/camera.schema.json.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "cli/window_options.h"
+#include "cli/picture_options.h"
 #include "formats/bundle.h"
 
 namespace texbake {
 
-/// A flat window. Its size is the frame's.
+/// The size of the picture is the frame's.
 struct Camera {
-  WindowOptions window;
-  std::optional<std::string> map;       ///< nothing: the color
+  PictureOptions picture;
   std::optional<PixelSize> frame_size;  ///< what the frame must have, where the file says so
 };
 

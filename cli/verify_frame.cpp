@@ -5,7 +5,6 @@
 #include "cli/bundle_path.h"
 #include "cli/camera.h"
 #include "cli/kept_files.h"
-#include "cli/window_options.h"
 #include "formats/drawn_bundle.h"
 #include "formats/frame.h"
 #include "formats/image_writer.h"
@@ -15,11 +14,6 @@
 
 namespace texbake {
 namespace {
-
-/// What a frame of `size` pixels should show.
-DrawRequest draw_request_of(const Camera& camera, PixelSize size, V2i tile_size) {
-  return {.view = window_of(camera.window, size, tile_size), .map = camera.map.value_or("")};
-}
 
 /// Throws Error(bad_data) where the frame has another size than the camera file says.
 void check_size(const Camera& camera, PixelSize size, const FrameRequest& request) {
@@ -34,10 +28,10 @@ void check_size(const Camera& camera, PixelSize size, const FrameRequest& reques
 int channels_of(const Camera& camera, const Bundle& bundle, const std::string& path) {
   try {
     const V2i tile_size = bundle.scales.back().size();
-    const DrawRequest picture = draw_request_of(camera, {1, 1}, tile_size);
+    const DrawRequest picture = draw_request_of(camera.picture, {1, 1}, tile_size);
     return drawn_channels(drawn_material(bundle), picture);
   } catch (const Error& error) {
-    throw Error(ErrorKind::bad_data, fmt::format("{}: window: {}", path, error.what()));
+    throw Error(ErrorKind::bad_data, fmt::format("{}: {}", path, error.what()));
   }
 }
 
@@ -111,11 +105,12 @@ Outcome frame_outcome(const FrameRequest& request, const Bundle& bundle, Console
   check_keeps_sources(request.difference, bundle);
   const Camera camera = read_camera(request.camera);
   const int channels = channels_of(camera, bundle, request.camera);
-  const CapturedFrame frame = read_frame(request.frame, picture_role(bundle, camera.map.value_or("")), channels);
+  const CapturedFrame frame =
+      read_frame(request.frame, picture_role(bundle, camera.picture.map.value_or("")), channels);
   for (const std::string& note : frame.notes) console.note(note);
   const PixelSize size{frame.values.width(), frame.values.height()};
   check_size(camera, size, request);
-  const Drawing drawing(drawn_material(bundle), draw_request_of(camera, size, bundle.scales.back().size()));
+  const Drawing drawing(drawn_material(bundle), draw_request_of(camera.picture, size, bundle.scales.back().size()));
   const Image<V3f> expected = drawing.rows(0, size.height);
 
   const Image<V3f> expected_steps = in_steps(expected, frame.scale), found_steps = in_steps(frame.values, frame.scale);

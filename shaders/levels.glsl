@@ -219,15 +219,15 @@ vec4 level_value(sampler2D plane, int kind, sampler2D values, Position at, int l
   return lerp(upper, lower, weight_of(around.fraction.y));
 }
 
-// Between the two levels next to level_256 / 256, 0 ... level_count + 1.
-vec4 trilinear_value(sampler2D plane, int kind, sampler2D values, Position at, int level_256) {
-  int level = level_256 >> 8;
-  int last = (level_256 & 255) == 0 ? level : level + 1;
+// Between the two levels next to lod_256 / 256, 0 ... level_count + 1.
+vec4 trilinear_value(sampler2D plane, int kind, sampler2D values, Position at, int lod_256) {
+  int level = lod_256 >> 8;
+  int last = (lod_256 & 255) == 0 ? level : level + 1;
   vec4 blended = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   for (int i = level; i <= last; ++i) {
     vec4 value = level_value(plane, kind, values, at, i);
     if (i == level) blended = value;
-    else blended = lerp(blended, value, weight_of(level_256 & 255));
+    else blended = lerp(blended, value, weight_of(lod_256 & 255));
   }
   return blended;
 }

@@ -35,12 +35,12 @@ vec4 bilinear(vec4 upper_left, vec4 upper_right, vec4 lower_left, vec4 lower_rig
   return lerp(upper, lower, weight_of(fraction.y));
 }
 
-// The center of pixel `pixel` of a window whose upper left corner is at `origin`, with `step` 1/256 texels to a pixel.
+// The center of pixel `pixel` of a window whose upper left corner is at `origin`, with `pixel_256` 1/256 texels to a pixel.
 // 256 size < 2^23 and offset + pixel step + step / 2 < 2^32.
-Position pixel_position(Position origin, uint step_256, uvec2 pixel) {
+Position pixel_position(Position origin, uint pixel_256, uvec2 pixel) {
   uvec2 size = uvec2(uint(tile_size.x) * 256u, uint(tile_size.y) * 256u);
-  uint x = uint(origin.offset.x) + pixel.x * step_256 + (step_256 >> 1u);
-  uint y = uint(origin.offset.y) + pixel.y * step_256 + (step_256 >> 1u);
+  uint x = uint(origin.offset.x) + pixel.x * pixel_256 + (pixel_256 >> 1u);
+  uint y = uint(origin.offset.y) + pixel.y * pixel_256 + (pixel_256 >> 1u);
   Position at;
   at.tile = origin.tile + uvec2(x / size.x, y / size.y);
   at.offset = ivec2(int(x % size.x), int(y % size.y));

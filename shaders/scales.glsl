@@ -173,8 +173,8 @@ vec4 shared_color(int scale, Texel at, float share, vec4 alone) {
 }
 
 // Of `scale`, which is in use. The coarser color is that of the texel's own patch.
-Shown shown_texel(int scale, Texel at, float variation) {
-  float share = (transfer_bits & kNoVariation) != 0 ? 0.0f : variation;
+Shown shown_texel(int scale, Texel at, float kept) {
+  float share = (transfer_bits & kNoVariation) != 0 ? 0.0f : kept;
   Decision decision = decide(at);
   Source source = source_of(at, decision);
   ivec4 labels = ivec4(0, 0, 0, 0);
@@ -197,16 +197,28 @@ Shown shown_texel(int scale, Texel at, float variation) {
   return shown;
 }
 
+// A color in which the mean of a scale's detail gives way to the coarser color, by `weight`: eq. 5. A function of its own,
+// as is the next: where `precise` has to be followed through a loop over structures, glslang takes gigabytes.
+vec4 passed_color(vec4 color, vec4 coarser, vec4 mean, float weight) {
+  PRECISE vec4 arrived = color + (coarser - mean) * weight;
+  return arrived;
+}
+
+float product_of(float a, float b) {
+  PRECISE float product = a * b;
+  return product;
+}
+
 // A color with those of all coarser scales in its xyz, and in its w the share of it that a finer scale gets.
-// The texel `place` of scale `finest`: eq. 5, scale by scale. `variation` is the share that is left of the finest scale's.
+// The texel `place` of scale `finest`: eq. 5, scale by scale. `kept` is the share that is left of the finest scale's.
 // Leaves another scale in use.
-vec4 stacked_texel(int finest, Texel place, float variation) {
+vec4 stacked_texel(int finest, Texel place, float kept) {
   Texel at = place;
   vec4 sum = vec4(0.0f, 0.0f, 0.0f, 0.0f);
   vec4 mean = sum;
   float weight = 1.0f;
   float giving = 1.0f;
-  float share = variation;
+  float share = kept;
   for (int scale = finest; scale >= 0; --scale) {
     use_scale(scale);
     Shown shown = shown_texel(scale, at, share);
@@ -214,12 +226,11 @@ vec4 stacked_texel(int finest, Texel place, float variation) {
       sum = shown.color;
       giving = shown.giving;
     } else {
-      weight = weight * shown.giving;
-      PRECISE vec4 arrived = sum + (shown.color - mean) * weight;
-      sum = arrived;
+      weight = product_of(weight, shown.giving);
+      sum = passed_color(sum, shown.color, mean, weight);
     }
     if (scale == 0) break;
-    weight = weight * shown.taking;
+    weight = product_of(weight, shown.taking);
     mean = shown.mean;
     share = (transfer_bits & kNoCoarserVariation) != 0 ? 0.0f : 1.0f;
     at = coarser_texel(scale, shown.anchor);
@@ -259,17 +270,16 @@ vec4 coarser_between(int scale, Position at, float coarser_share) {
 }
 
 // What a texel `at` of a scale shows that belongs to one patch. Leaves another scale in use.
-vec4 hard_texel(int scale, Texel at, float variation) {
+vec4 hard_texel(int scale, Texel at, float kept) {
   use_scale(scale);
-  if (scale == 0 || (transfer_bits & kTransferMode) != kTransferBilinear) return without_w(stacked_texel(scale, at, variation));
-  Shown shown = shown_texel(scale, at, variation);
+  if (scale == 0 || (transfer_bits & kTransferMode) != kTransferBilinear) return without_w(stacked_texel(scale, at, kept));
+  Shown shown = shown_texel(scale, at, kept);
   float coarser_share = (transfer_bits & kNoCoarserVariation) != 0 ? 0.0f : 1.0f;
   Position center;
   center.tile = at.tile;
   center.offset = ivec2(at.p.x * 256 + 128, at.p.y * 256 + 128);
   vec4 coarse = coarser_between(scale, center, coarser_share);
-  PRECISE vec4 arrived = shown.color + (without_w(coarse) - shown.mean) * (shown.taking * coarse.w);
-  return arrived;
+  return passed_color(shown.color, without_w(coarse), shown.mean, product_of(shown.taking, coarse.w));
 }
 
 // What stacked_texel gives of the scale before `scale` at the texel that holds `center`. The last answer is kept: blocks

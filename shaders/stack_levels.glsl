@@ -71,13 +71,13 @@ vec4 taken_as_whole(int scale, Texel block, Grid grid, float share, float coarse
 
 // A block of `scale`, which is in use with its levels: the mean of what its texels show. A texel on a soft border is a
 // block of several patches. May leave another scale in use.
-vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
+vec4 scale_block(int scale, Texel block, Grid grid, float kept) {
   bool is_texel = grid.corner.x < 0;
-  if (is_texel && first_level == 1) return hard_texel(scale, block, variation);
+  if (is_texel && first_level == 1) return hard_texel(scale, block, kept);
   ivec2 corner = is_texel ? ivec2(0, block_row) : grid.corner;
   uvec4 found = texelFetch(level_blocks, ivec2(corner.x + block.p.x, corner.y + block.p.y), 0);
-  if (is_texel && entries_after(found) == 0u) return hard_texel(scale, block, variation);
-  float share = (transfer_bits & kNoVariation) != 0 ? 0.0f : variation;
+  if (is_texel && entries_after(found) == 0u) return hard_texel(scale, block, kept);
+  float share = (transfer_bits & kNoVariation) != 0 ? 0.0f : kept;
   float coarser_share = (transfer_bits & kNoCoarserVariation) != 0 ? 0.0f : 1.0f;
   bool by_fragment = scale > 0 && (transfer_bits & kTransferMode) == kTransferFragment;
 
@@ -109,8 +109,8 @@ vec4 scale_block(int scale, Texel block, Grid grid, float variation) {
 }
 
 // The discrete function of a scale: what its texel `at` shows. May leave another scale in use.
-vec4 scale_texel(int scale, Texel at, float variation) {
+vec4 scale_texel(int scale, Texel at, float kept) {
   use_scale(scale);
   use_levels(scale);
-  return scale_block(scale, at, grid_of(0), variation);
+  return scale_block(scale, at, grid_of(0), kept);
 }

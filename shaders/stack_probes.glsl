@@ -3,7 +3,7 @@
 
 // A point of one scale at a level of detail: between the four blocks around it or, where `smooth_filter` is kFilterNearest, the one in
 // which it lies.
-vec4 scale_level(int scale, Position at, int level, float variation, int smooth_filter) {
+vec4 scale_level(int scale, Position at, int level, float kept, int smooth_filter) {
   use_scale(scale);
   use_levels(scale);
   if (level > level_count) return without_w(texelFetch(base_levels, ivec2(0, value_row), 0));
@@ -21,7 +21,7 @@ vec4 scale_level(int scale, Position at, int level, float variation, int smooth_
   vec4 lower = left;
   for (int corner = 0; corner < count; ++corner) {
     use_scale(scale);
-    vec4 value = scale_block(scale, surrounding_block(around.first, grid, corner), grid, variation);
+    vec4 value = scale_block(scale, surrounding_block(around.first, grid, corner), grid, kept);
     if ((corner & 1) == 0) left = value;
     else if (corner == 1) upper = lerp(left, value, weight_of(around.fraction.x));
     else lower = lerp(left, value, weight_of(around.fraction.x));
@@ -31,7 +31,7 @@ vec4 scale_level(int scale, Position at, int level, float variation, int smooth_
 }
 
 // The mean of the probes of one scale.
-vec4 scale_probes(int scale, Probes probes, float variation, int smooth_filter) {
+vec4 scale_probes(int scale, Probes probes, float kept, int smooth_filter) {
   int count = 1 << probes.halvings;
   int level = probes.level_256 >> 8;
   int levels = (probes.level_256 & 255) == 0 ? 1 : 2;
@@ -44,7 +44,7 @@ vec4 scale_probes(int scale, Probes probes, float variation, int smooth_filter) 
     Position at = moved_position(probes.at, by_256);
     vec4 blended = vec4(0.0f, 0.0f, 0.0f, 0.0f);
     for (int k = 0; k < levels; ++k) {
-      vec4 value = scale_level(scale, at, level + k, variation, smooth_filter);
+      vec4 value = scale_level(scale, at, level + k, kept, smooth_filter);
       if (k == 0) blended = value;
       else blended = lerp(blended, value, weight_of(probes.level_256 & 255));
     }

@@ -72,9 +72,9 @@ StackSight moved_and_lit(StackSight flat_sight, Relieved relieved) {
   return sight;
 }
 
-// The same for a pixel of a window, all of which look in one direction: `slant` is the way of their rays, to the right and
+// The same for a pixel of a window, all of which look in one direction: `leaning` is the way of their rays, to the right and
 // down, for each texel that they fall, and the width of a pixel in texels of the coarsest scale.
-StackSight window_sight(StackProbes seen, vec3 slant) {
+StackSight window_sight(StackProbes seen, vec3 leaning) {
   StackSight sight;
   sight.hits = true;
   sight.seen = seen;
@@ -82,7 +82,7 @@ StackSight window_sight(StackProbes seen, vec3 slant) {
   if (relief_depth == 0.0f) return sight;
   Probes pixel = seen.row;
   pixel.at = position_in_scale(seen.row.at, seen.scale, 0);
-  return moved_and_lit(sight, relief_at(pixel, vec2(slant.x, slant.y), slant.z));
+  return moved_and_lit(sight, relief_at(pixel, vec2(leaning.x, leaning.y), leaning.z));
 }
 
 // What was found, in numbers to compare: offset of the middle, their upper bits 256 fading and 256 variation; level_256 |

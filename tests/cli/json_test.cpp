@@ -117,6 +117,9 @@ TEST_F(CommandLineJson, ComparedFramesAndShadersAreObjectsOfTheSchema) {
   const json window = {{"window", {{"origin", {"-12", 7.5}}, {"seed", 3}, {"map", nullptr}, {"size", {24, 16}}}}};
   EXPECT_EQ(faults("cli/camera.schema.json", window), "");
   EXPECT_NE(faults("cli/camera.schema.json", {{"window", {{"sead", 3}}}}), "");
+  EXPECT_EQ(faults("cli/camera.schema.json", {{"plane", {{"camera-height", 600}, {"light", {1, 2, 3}}}}}), "");
+  EXPECT_NE(faults("cli/camera.schema.json", {{"plane", {{"step", 3}}}}), "");
+  EXPECT_NE(faults("cli/camera.schema.json", {{"plane", json::object()}, {"window", json::object()}}), "");
   std::ofstream(camera) << window;
   run("render " + bundle + " --origin -12,7.5 --seed 3 --size 24x16 -o " + at("frame.png"));
   run("render " + bundle + " --origin -12,7.5 --seed 4 --size 24x16 -o " + at("other.exr"));

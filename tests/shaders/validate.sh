@@ -6,7 +6,7 @@ mkdir -p "$3" && rm -f "$3"/*
 # glslang claims GL_ARB_gpu_shader5 but knows `precise` from version 400 on only: 330 without the word, then 400 with it.
 "$2" -l -DPRECISE= "$3/330.vert" "$3/330.frag"
 "$2" -l "$3/300es.vert" "$3/300es.frag"
-for kind in viewer perspective stack stack_viewer; do
+for kind in viewer perspective stack stack_perspective stack_viewer; do
   "$2" -l -DPRECISE= "$3/330.vert" "$3/330_$kind.frag"
   "$2" -l "$3/300es.vert" "$3/300es_$kind.frag"
 done

@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
     done = write(std::string(name) + "_perspective.frag", texbake::perspective_fragment_shader(language)) && done;
     done = write(std::string(name) + "_viewer.frag", texbake::viewer_fragment_shader(language)) && done;
     done = write(std::string(name) + "_stack.frag", texbake::stack_fragment_shader(language)) && done;
+    done = write(std::string(name) + "_stack_perspective.frag", texbake::stack_perspective_fragment_shader(language)) &&
+           done;
     done = write(std::string(name) + "_stack_viewer.frag", texbake::stack_viewer_fragment_shader(language)) && done;
   }
   return done ? 0 : 4;
