@@ -16,7 +16,9 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 /// Between single quotes of a shell; `quote` is how it writes one inside.
-std::string quoted(const std::string& text, const std::string& quote) { return "'" + replaced(text, "'", quote) + "'"; }
+std::string quoted(const std::string& text, const std::string& quote) {
+  return fmt::format("'{}'", replaced(text, "'", quote));
+}
 
 /// "-o", "--output"; none for a positional.
 std::vector<std::string> spellings(const Argument& argument) {

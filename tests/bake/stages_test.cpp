@@ -40,8 +40,12 @@ TEST(Stages, AStageThatIsRefusedDropsNothing) {
   expect_refused_without_trace(
       [](Bundle& b, Listener& l) { run_fragment(b, {.min_area_px = 100, .max_area_px = 50}, l); });
   expect_refused_without_trace([](Bundle& b, Listener& l) { run_select_contents(b, {.soft_border_px = 32}, l); });
-  expect_refused_without_trace([](Bundle& b, Listener& l) { run_estimate_psd(b, {.spectrum_size = 48}, l); });
-  expect_refused_without_trace([](Bundle& b, Listener& l) { run_decompose(b, {.local_size = 1000}, "", l); });
+  EstimatePsdOptions psd;
+  psd.spectrum_size = 48;
+  expect_refused_without_trace([&](Bundle& b, Listener& l) { run_estimate_psd(b, psd, l); });
+  DecomposeOptions decompose;
+  decompose.local_size = 1000;
+  expect_refused_without_trace([&](Bundle& b, Listener& l) { run_decompose(b, decompose, "", l); });
 }
 
 TEST(Stages, AStageThatRunsAgainSaysWhatItDropped) {

@@ -133,7 +133,9 @@ TEST(BundleWriter, AStepThatFailsLeavesNothingBehind) {
     const float mark = mark_of(bundle);
     EXPECT_TRUE(mark == kOld || mark == kNew);
     for (const auto& [name, bytes] : folder_contents(bundle)) EXPECT_FALSE(name.starts_with('.')) << name;
-    if (mark == kOld) EXPECT_EQ(folder_contents(bundle), before);
+    if (mark == kOld) {
+      EXPECT_EQ(folder_contents(bundle), before);
+    }
     EXPECT_EQ(folder_contents(folder.path()).size(), 1u);
   }
 }
