@@ -68,6 +68,8 @@ std::string default_picture_path(const std::string& bundle) { return stem(bundle
 
 std::string default_web_folder(const std::string& bundle) { return stem(bundle) + "_web"; }
 
+std::string default_planes_folder(const std::string& bundle) { return stem(bundle) + "_planes"; }
+
 void check_bundle_target(const std::string& path) {
   std::error_code status;
   if (!fs::exists(path, status)) {

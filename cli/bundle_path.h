@@ -13,6 +13,8 @@ std::string default_bundle_path(const std::string& input);
 std::string default_picture_path(const std::string& bundle);
 /// `leaves_web` in the working folder for `dir/leaves.texbundle`.
 std::string default_web_folder(const std::string& bundle);
+/// `leaves_planes` in the working folder for `dir/leaves.texbundle`.
+std::string default_planes_folder(const std::string& bundle);
 
 /// Throw Error(io) when something stands at `path` that is not a bundle (not a file), or its folder cannot be written;
 /// Error(usage) for a bundle that is called like a picture or a page, and for a file in a bundle.

@@ -6,18 +6,17 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <type_traits>
 
 #include "formats/base64.h"
 #include "formats/bundle.h"
 #include "formats/safe_file.h"
-#include "formats/staged_folder.h"
 #include "libbake/base/error.h"
 #include "libbake/base/half.h"
 #include "libbake/planes/prepare.h"
 #include "libbake/planes/prepare_stack.h"
 #include "libbake/reference/semantics.h"
+#include "pages/export_folder.h"
 #include "pages/viewer_shaders.h"
 
 namespace texbake {
@@ -94,31 +93,6 @@ std::string shaders_script() {
   return "texbake.shaders = " + shaders.dump() + ";\n";
 }
 
-/// Has an earlier export made the folder? Its texture.js, which is written first, tells.
-bool is_export(const fs::path& folder) {
-  std::string begin(kTextureScript.size(), '\0');
-  std::ifstream(folder / "texture.js").read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin == kTextureScript;
-}
-
-void check_folder(const fs::path& folder) {
-  std::error_code error;
-  const fs::file_status status = fs::status(folder, error);
-  if (!fs::exists(status)) return;
-  const auto refuse = [&](const std::string& found) {
-    throw Error(ErrorKind::io,
-                fmt::format("{}: expected a new folder or one that an earlier export made, found {}: give "
-                            "another -o",
-                            folder.string(), found));
-  };
-  if (!fs::is_directory(status)) refuse("a file");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const bool ours = std::ranges::find(kWebFiles, name) != std::end(kWebFiles) && is_export(folder);
-    if (!ours && !is_temporary_name(name)) refuse(fmt::format("\"{}\" in it", name));
-  }
-}
-
 void write_files(const std::string& texture_script, const fs::path& folder) {
   const auto write = [&](std::string_view name, std::string_view text) {
     SafeFile file(folder / name);
@@ -130,28 +104,11 @@ void write_files(const std::string& texture_script, const fs::path& folder) {
   for (const auto& [name, text] : kViewerFiles) write(name, text);
 }
 
+/// Its texture.js, which is written first, tells.
 void write_folder(const std::string& texture_script, const fs::path& target) {
-  check_folder(target);
-  const fs::path folder = with_folder(target);
-  std::error_code error;
-  if (fs::is_directory(folder, error)) return write_files(texture_script, folder);
-  // The first folder of the path that is missing appears as a whole, with those below it.
-  fs::path first = folder;
-  while (first.parent_path().has_filename() && !fs::exists(first.parent_path(), error)) first = first.parent_path();
-  StagedFolder staging(first);
-  const fs::path filled = (staging.path() / folder.lexically_relative(first)).lexically_normal();
-  fs::create_directories(filled, error);
-  if (error) throw Error(ErrorKind::io, fmt::format("{}: cannot be made: {}", target.string(), error.message()));
-  write_files(texture_script, filled);
-  staging.commit();
-}
-
-/// As deep as the stones of a wall are, seen from far enough to see several: a guess that a person may correct.
-float default_relief_px(const EvaluatorInput& coarsest) {
-  constexpr float kSharePerSide = 1.0f / 32;
-  return has_heights(coarsest)
-             ? kSharePerSide * static_cast<float>(std::min(coarsest.base.width(), coarsest.base.height()))
-             : 0;
+  const auto may_own = [](std::string_view name) { return std::ranges::find(kWebFiles, name) != std::end(kWebFiles); };
+  write_export(target, {"texture.js", kTextureScript, may_own},
+               [&](const fs::path& folder) { write_files(texture_script, folder); });
 }
 
 /// The finest scale without its maps, which the page does not show.
@@ -194,6 +151,13 @@ std::string web_texture_script(const StackPlanes& planes, const ReliefPlanes* re
   for_each_texture(relief ? *relief : flat, texture_adder(json));
   if (relief) glsl::ReliefUniforms::fields(*relief, uniform_adder(texture["relief"], "relief_"));
   return std::string(kTextureScript) + texture.dump() + ");\n";
+}
+
+float default_relief_px(const EvaluatorInput& coarsest) {
+  constexpr float kSharePerSide = 1.0f / 32;
+  return has_heights(coarsest)
+             ? kSharePerSide * static_cast<float>(std::min(coarsest.base.width(), coarsest.base.height()))
+             : 0;
 }
 
 void export_web(const DrawnMaterial& material, std::optional<float> relief_px, const fs::path& folder) {

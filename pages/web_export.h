@@ -26,6 +26,10 @@ namespace texbake {
 inline constexpr const char* kWebFiles[] = {"index.html", "infinite_texture.js", "infinite_stack.js",
                                             "viewer.js",  "shaders.js",          "texture.js"};
 
+/// The depth of the relief where nothing else is asked for, in texels of the coarsest scale: as deep as the stones of a
+/// wall are, seen from far enough to see several; 0 without heights. A guess that a person may correct.
+float default_relief_px(const EvaluatorInput& coarsest);
+
 /// Makes `folder`, or replaces those files in one that an earlier export made. A material of several scales, or with
 /// relief, is a stack. `relief_px` is the depth of the relief in texels of the coarsest scale, 0 for none; nothing:
 /// 1/32 of that scale's shorter side, where it has heights. Throws Error(io) when the folder holds other things, or

@@ -71,6 +71,15 @@ class CommandLineJson : public testing::Test {
   }
 };
 
+TEST_F(CommandLineJson, PlanesFollowTheirSchema) {
+  const json exported = valid_output("export " + at("a.texbundle") + " --planes -o " + at("planes"), 0);
+  const json planes = json::parse(std::ifstream(exported["result"]["planes"].get<std::string>()));
+  EXPECT_EQ(faults("pages/planes.schema.json", planes), "");
+  json spoiled = planes;
+  spoiled["bindings"][0]["textures"]["base"]["format"] = "RGB8";
+  EXPECT_NE(faults("pages/planes.schema.json", spoiled), "");
+}
+
 TEST_F(CommandLineJson, EveryVerbWritesOneObjectOfTheSchema) {
   const std::string bundle = at("a.texbundle");
   valid_output("convert " + at("bricks.png") + " -o " + at("b.texbundle"), 0);
