@@ -50,9 +50,9 @@ TEST(Show, ColorIsTheRendering) {
 
 TEST(Show, WhatTheTileLacksIsRefusedWithTheVerbThatMakesIt) {
   const SmallTile tile = random_tile({32, 32}, 5, Contents::moved, 24);
-  const EvaluatorPlanes planes = tile.planes();
-  for (const Show show : {Show::fragments, Show::index, Show::variation})
-    EXPECT_THROW(show_rows(planes, show_window(), show, 0, 1), Error) << enum_name(show);
+  for (const Show show : {Show::fragments, Show::index, Show::variation, Show::noise, Show::masks})
+    EXPECT_THROW(check_show(tile.input(), show), Error) << enum_name(show);
+  EXPECT_NO_THROW(check_show(tile.input(), Show::patches));
 }
 
 TEST(Show, IndexAndVariationComeFromTheContentsSource) {

@@ -61,7 +61,7 @@ bend draw-shift shaders/content.glsl 'content_count) >> 16u' 'content_count) >> 
 bend owner-mask shaders/content.glsl 'bits \& 3u' 'bits \& 1u'
 bend content-rounding shaders/content.glsl '+ 128) >> 8' '+ 127) >> 8'
 bend normal-eighth shaders/sample.glsl 0.70710678f 0.70710671f
-bend pixel-centre shaders/sample.glsl '(step_256 >> 1u)' '(step_256 >> 2u)'
+bend pixel-center shaders/sample.glsl '(pixel_256 >> 1u)' '(pixel_256 >> 2u)'
 bend word-conversion libbake/reference/glsl.h 'x(static_cast<uint>(v.x))' 'x(static_cast<uint>(v.x < 0 ? -v.x : v.x))'
 bend word-subtraction libbake/reference/glsl.h 'a.y - b.y, a.z - b.z' 'a.y - b.y, a.z + b.z'
 bend word-fetch libbake/reference/glsl.h 'static_cast<size_t>(p.x)\]' 'static_cast<size_t>(p.x ^ 1)]'
