@@ -26,7 +26,6 @@ for verb in "${verbs[@]}"; do
   took[$verb]=$took_ms
 done
 rounds=${ROUNDS:-10}
-[ -z "$SANITIZE" ] || rounds=${ROUNDS:-5}
 RANDOM=${SEED:-1}
 for ((i = 0; i < rounds; ++i)); do
   verb=${verbs[i % ${#verbs[@]}]}
