@@ -6,6 +6,10 @@
 
 namespace texbake {
 
+/// The width of a sample, in texels of the coarsest scale: relief is then seen without levels of detail, and parallax
+/// does not fade.
+inline constexpr float kPointWidth = 1e-3f;
+
 /// `slant` of shaders/stack.frag: how the rays of pixels fall that `viewer` sees, and how wide they are in texels of
 /// the coarsest scale.
 glsl::vec3 slant_of(const StackPlanes& planes, const Direction& viewer, const Window& window);

@@ -1,6 +1,7 @@
 #include "libbake/draw/stack_perspective.h"
 
 #include "libbake/base/parallel.h"
+#include "libbake/draw/relief_window.h"
 #include "libbake/draw/view_program.h"
 #include "libbake/reference/stack_row_program.h"
 
@@ -65,11 +66,10 @@ Image<V3f> supersampled_stack_perspective_rows(const StackPlanes& planes, const 
           for (int k = 0; k < samples; ++k) {
             const auto ground = program.ground_at(place(x, k), place(y, l));
             if (ground.hits) sight.seen.row.at = program.stack_position(point_below(view), ground.to, sight.seen.scale);
-            // Relief as a pixel sees it that is too small for levels of detail, and for parallax to fade.
-            constexpr float kSmall = 1e-3f;
-            const PerspectiveProgram::Ellipse point{kSmall, kSmall, {kSmall, 0}, kSmall * kSmall};
+            const PerspectiveProgram::Ellipse point{
+                kPointWidth, kPointWidth, {kPointWidth, 0}, kPointWidth * kPointWidth};
             const StackSight seen =
-                ground.hits ? program.with_relief(sight, point_below(view), ground, point, kSmall) : sight;
+                ground.hits ? program.with_relief(sight, point_below(view), ground, point, kPointWidth) : sight;
             sum += Imath::V3d(ground.hits ? color_of(values.sight_value(seen, program.view_filter)) : view.sky);
           }
         return V3f(sum / (double{1} * samples * samples));

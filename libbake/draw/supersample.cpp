@@ -12,9 +12,6 @@ namespace {
 using glsl::Position;
 using glsl::vec4;
 
-/// In texels of the coarsest scale: relief is then seen without levels of detail, and parallax does not fade.
-constexpr float kPointWidth = 1e-3f;
-
 /// Sample k of pixel i of an axis, in 1/256 texel from the window's corner.
 uint64_t place_256(const Window& window, int i, int k, int samples) {
   const uint64_t twice = (2 * static_cast<uint64_t>(k) + 1) * window.step_256;
@@ -65,7 +62,9 @@ Image<V3f> supersampled_rows(const EvaluatorPlanes& planes, const Plane& plane, 
     return smooth == glsl::kFilterNearest ? program.texel_value(texels, kind, levels, program.texel_at(at))
                                           : program.level_value(texels, kind, levels, at, 0);
   };
-  return mean_rows(program_of(planes, point), window, planes.size, samples, row_begin, row_end, value);
+  glsl::Program bound = program_of(planes, point);
+  if (&plane != &planes.base) bound.deformed = 0;  // as Window says, maps are not
+  return mean_rows(bound, window, planes.size, samples, row_begin, row_end, value);
 }
 
 Image<V3f> supersampled_stack_rows(const StackPlanes& planes, const ReliefPlanes* relief, const Direction& viewer,

@@ -132,6 +132,22 @@ TEST(Deform, FromAfarEveryFilterIsNearTheMeanOfManyPoints) {
   }
 }
 
+TEST(Deform, MapsInManySamplesAreNotDeformed) {
+  const SmallTile tile = random_tile({40, 24}, 5, Contents::turned, 69);
+  const Image<float> ramp = [] {
+    Image<float> image(40, 24);
+    for (size_t i = 0; i < image.size(); ++i) image.data()[i] = static_cast<float>(i % 7);
+    return image;
+  }();
+  EvaluatorInput input = tile.input();
+  input.maps.push_back({"roughness", MapKind::plain, {ramp}});
+  const EvaluatorPlanes planes = prepare(input);
+  const Window plain = deformed_window({40, 24}, -50, 9, {16, 16}, {});
+  const Window turned = deformed_window({40, 24}, -50, 9, {16, 16}, {.rotate_degrees = 40});
+  EXPECT_TRUE(supersampled_rows(planes, planes.maps.front(), turned, 2, 0, 16) ==
+              supersampled_rows(planes, planes.maps.front(), plain, 2, 0, 16));
+}
+
 TEST(Deform, FiltersDoNotPopWhereADeformationOrAStepBegins) {
   SmallTile tile = tile_with_noise(68);
   const EvaluatorPlanes planes = planes_apart(tile, 3);
